@@ -1,0 +1,1 @@
+"""The colony: its state, its random numbers, its pheromone, and the loop that runs it."""

@@ -1,0 +1,150 @@
+"""The loop: ants walk in turn, their paths are optimised, the pheromone is updated; cycle after cycle.
+
+``make_loop`` closes over the kernels of the four parts that act while a trial runs, and the compiler inlines
+them: a part costs what it does, and nothing for being a part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.compiled import compiled
+from acoexp.colony.pheromone import refresh, reset
+from acoexp.colony.random import seed_stream
+from acoexp.colony.state import LOST, NO_WAY_HERE
+from acoexp.colony.tabu import forget, touch
+from acoexp.colony.trails import copy_trail, measure, read_cells, write_cells
+
+Kernel = Callable[..., Any]
+
+
+class Own(NamedTuple):
+    """The state that each part asked for: whatever its ``prepare`` returned."""
+
+    choice: Any
+    diffusion: Any
+    post: Any
+    update: Any
+
+
+class Record(NamedTuple):
+    """What one trial leaves behind, besides its best path.
+
+    Attributes:
+        straight, steps: int32[iterations], the straight and all moves of the best path found in each cycle;
+            -1 where all ants were lost.
+        lost: int32[iterations], ants lost in each cycle.
+        ant_steps: int64[1], moves made by all ants together.
+    """
+
+    straight: NDArray[np.int32]
+    steps: NDArray[np.int32]
+    lost: NDArray[np.int32]
+    ant_steps: NDArray[np.int64]
+
+
+def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: Kernel) -> Kernel:
+    """Return the loop over these kernels, compiled at its first call.
+
+    It takes ``(colony, own, initial, raw, final, best, cells, record, seed)``: the colony; the parts' own
+    state; the initial pheromone; trails for the paths as walked and as optimised (one object if there is no
+    post-optimiser); trails of two rows for the run's best path, optimised and as walked; room for a path as
+    cells; the record to fill; the seed. It returns 0, or 1 + the cycle in which the post-optimiser returned
+    what is no path.
+    """
+    polish = _polish_by(optimise) if optimise is not None else _leave_as_walked
+
+    @compiled
+    def walk(colony: Any, own: Any, raw: Any, ant: Any) -> None:
+        cell, came = colony.start, NO_WAY_HERE
+        touch(colony, cell)
+        steps = straight = 0
+        while cell != colony.goal:
+            diffuse(colony, own.diffusion, ant, cell, came)
+            move = choose(colony, own.choice, ant, cell, came)
+            if move == LOST:
+                break
+            raw.moves[np.uintp(ant), np.uintp(steps)] = move
+            steps += 1
+            straight += 1 - (move & 1)
+            cell += colony.offsets[np.uintp(move)]
+            touch(colony, cell)
+            came = move
+        measure(raw, ant, steps, straight)
+        if cell != colony.goal:
+            raw.length[ant] = np.inf
+        forget(colony, raw, ant)
+
+    @compiled
+    def run(
+        colony: Any, own: Any, initial: Any, raw: Any, final: Any, best: Any, cells: Any, record: Any, seed: Any
+    ) -> int:
+        _begin(colony, initial, best, record, seed)
+        for cycle in range(colony.iterations):
+            colony.cycle[0] = cycle + 1
+            for ant in range(colony.ants):
+                walk(colony, own, raw, ant)
+                record.ant_steps[0] += raw.steps[ant]
+                if raw.length[ant] < np.inf:
+                    if not polish(colony, own.post, raw, final, ant, cells):
+                        return cycle + 1
+                else:
+                    final.length[ant] = np.inf
+                    record.lost[cycle] += 1
+            _note_best(raw, final, best, record, cycle)
+            update(colony, own.update, raw, final, best)
+            refresh(colony)
+        return 0
+
+    return run
+
+
+@compiled
+def _begin(colony: Any, initial: Any, best: Any, record: Any, seed: Any) -> None:
+    """Bring everything that a former trial may have changed back to the start."""
+    seed_stream(colony.random, seed)
+    reset(colony, initial)
+    colony.untouched[:] = 1.0
+    best.length[:] = np.inf
+    record.straight[:] = -1
+    record.steps[:] = -1
+    record.lost[:] = 0
+    record.ant_steps[0] = 0
+
+
+@compiled
+def _note_best(raw: Any, final: Any, best: Any, record: Any, cycle: Any) -> None:
+    """Record the cycle's best path, walked or optimised, and keep it if it is the run's best so far."""
+    shortest, winner = np.inf, -1
+    for ant in range(raw.length.size):
+        length = min(raw.length[ant], final.length[ant])
+        if length < shortest:
+            shortest, winner = length, ant
+    if winner < 0:
+        return
+    source = final if final.length[winner] <= raw.length[winner] else raw
+    record.straight[cycle] = source.straight[winner]
+    record.steps[cycle] = source.steps[winner]
+    if shortest < best.length[0]:
+        copy_trail(source, winner, best, 0)
+        copy_trail(raw, winner, best, 1)
+
+
+@compiled
+def _leave_as_walked(colony: Any, own: Any, raw: Any, final: Any, ant: Any, cells: Any) -> bool:
+    return True
+
+
+def _polish_by(optimise: Kernel) -> Kernel:
+    """Return a kernel that optimises one ant's path from ``raw`` into ``final``; False if the result is no path."""
+
+    @compiled
+    def polish(colony: Any, own: Any, raw: Any, final: Any, ant: Any, cells: Any) -> Any:
+        count = optimise(colony, own, cells, read_cells(colony, raw, ant, cells))
+        return write_cells(colony, cells, count, final, ant)
+
+    return polish

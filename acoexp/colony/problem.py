@@ -1,0 +1,69 @@
+"""The problem: everything that is known before the first ant sets out, handed to each part's ``prepare``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.field import FieldSettings, PotentialField, potential_field
+from acoexp.grid import Cell, Grid
+from acoexp.parameters import parameter
+
+
+@dataclass(frozen=True, kw_only=True)
+class ColonySettings:
+    """The scalars of a colony; the defaults are those of Liu et al. 2017, Sect. 5, where it gives them."""
+
+    alpha: float = parameter(1.1, "weight of pheromone in the choice", minimum=0.0, maximum=100.0)
+    beta: float = parameter(12.0, "weight of the heuristic in the choice", minimum=0.0, maximum=100.0)
+    rho: float = parameter(0.5, "share of the pheromone that evaporates in a cycle", minimum=0.0, maximum=1.0)
+    ants: int = parameter(10, "ants that walk in a cycle", minimum=1, maximum=100_000)
+    iterations: int = parameter(200, "cycles in a trial", minimum=1, maximum=1_000_000)
+    q: float = parameter(1.0, "pheromone that an ant spreads over its path; not in the paper", above=0.0)
+    tau0: float = parameter(1.0, "pheromone on every edge at the start; not in the paper", above=0.0)
+    pheromone: str = parameter("edges", "where pheromone lies (Eqs 18, 19 speak of edges)", choices=("edges",))
+    order: str = parameter("in_turn", "how the ants of a cycle walk: one after another", choices=("in_turn",))
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """A grid, the settings, and what follows from the two; the same for every trial."""
+
+    grid: Grid
+    settings: ColonySettings
+    field_settings: FieldSettings
+
+    @cached_property
+    def field(self) -> PotentialField:
+        """The map's potential field, computed when a part first asks for it."""
+        return potential_field(self.grid, self.field_settings)
+
+    @property
+    def width(self) -> int:
+        """Cells in a row of the bordered map."""
+        return self.grid.shape[1] + 2
+
+    def cell(self, place: Cell) -> int:
+        """Return a cell's number on the bordered map."""
+        return (place[0] + 1) * self.width + place[1] + 1
+
+    def per_cell(self, values: NDArray[Any], border: Any) -> NDArray[Any]:
+        """Lay out an array [rows, cols] as kernels index it: [cells] of the bordered map, read-only."""
+        laid_out = np.pad(values, 1, constant_values=border).ravel()
+        laid_out.flags.writeable = False
+        return laid_out
+
+    def per_edge(self, values: NDArray[Any], border: Any) -> NDArray[Any]:
+        """Lay out an array [rows, cols, 8] as kernels index it: [edges] of the bordered map, read-only."""
+        laid_out = np.pad(values, ((1, 1), (1, 1), (0, 0)), constant_values=border).ravel()
+        laid_out.flags.writeable = False
+        return laid_out
+
+    def allowed_edges(self) -> NDArray[np.bool_]:
+        """Return bool[rows, cols, 8]: which moves are allowed."""
+        bits = np.unpackbits(self.grid.allowed[..., None], axis=-1, bitorder="little")
+        return bits.astype(bool)

@@ -1,0 +1,26 @@
+"""What can go wrong, as exceptions that a user meets.
+
+Every message names the key or file at fault, what was expected and what came.
+"""
+
+from __future__ import annotations
+
+
+class AcoexpError(Exception):
+    """Base of all errors that acoexp raises on purpose: one sentence for the user, no traceback needed."""
+
+
+class SettingsError(AcoexpError, ValueError):
+    """A key is unknown, or its value has the wrong type or lies outside its range."""
+
+
+class MapError(AcoexpError, ValueError):
+    """A map cannot be read, or is not one on which a path could be planned."""
+
+
+class StrategyError(AcoexpError, RuntimeError):
+    """A strategy cannot be found, imported or compiled, or broke its contract while it ran."""
+
+
+class TrackingError(AcoexpError, OSError):
+    """The store of results cannot be reached or written."""

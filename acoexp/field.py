@@ -1,0 +1,85 @@
+"""The artificial potential field of a map (Liu et al. 2017, Eqs 1-5): where its force pulls a robot.
+
+The goal attracts, obstacles repel. Everything is in cells: distances between cell centres, x to the right,
+y upwards. The map's outer border is not an obstacle.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.grid import Grid
+from acoexp.parameters import parameter
+
+NO_DIRECTION = 8
+"""Sector of a cell on which no force acts."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldSettings:
+    """The constants of Eqs 2 and 3; the paper does not give them."""
+
+    attraction: float = parameter(1.0, "gain K_a of the goal's pull, per cell of distance (Eq. 2)", minimum=0.0)
+    repulsion: float = parameter(25.0, "gain K_r of the obstacles' push (Eq. 3)", minimum=0.0)
+    reach: float = parameter(4.0, "distance rho_0 in cells beyond which obstacles do not push", above=0.0)
+    obstacles: str = parameter(
+        "sum", "obstacle cells that push: the sum over all in reach (Eq. 4)", choices=("sum",)
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class PotentialField:
+    """The resultant force on every cell and the sector it points into.
+
+    Attributes:
+        force: float[rows, cols, 2], the resultant (x, y) of Eq. 4; zero on obstacles.
+        sector: uint8[rows, cols], direction 0..7 of the force (Eq. 5), or ``NO_DIRECTION``.
+    """
+
+    force: NDArray[np.float64]
+    sector: NDArray[np.uint8]
+
+
+def potential_field(grid: Grid, settings: FieldSettings) -> PotentialField:
+    """Compute the field of a map, once for all trials on it."""
+    force = _attraction(grid, settings.attraction) + _repulsion(grid, settings)
+    force[grid.obstacles] = 0.0
+    return PotentialField(force, sectors(force))
+
+
+def sectors(force: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Return the sector of each force, float[..., 2] -> uint8[...].
+
+    Eq. 5 as printed is off by half a sector; with the sectors as the paper defines them just above it, it
+    reads floor(theta / (pi / 4) + 1/2) mod 8, 0-based.
+    """
+    theta = np.arctan2(force[..., 1], force[..., 0])
+    sector = np.floor(theta / (np.pi / 4) + 0.5).astype(np.int64) % 8
+    return np.where((force == 0.0).all(axis=-1), NO_DIRECTION, sector).astype(np.uint8)
+
+
+def _attraction(grid: Grid, gain: float) -> NDArray[np.float64]:
+    """Return the pull of the goal, -grad U_att of Eq. 2: proportional to the distance."""
+    row, col = np.indices(grid.shape)
+    return gain * np.stack([grid.goal[1] - col, row - grid.goal[0]], axis=-1).astype(np.float64)
+
+
+def _repulsion(grid: Grid, settings: FieldSettings) -> NDArray[np.float64]:
+    """Return the push of all obstacle cells in reach, -grad U_rep of Eq. 3 (its cases in the right order)."""
+    rows, cols = grid.shape
+    margin = int(settings.reach)
+    around = np.pad(grid.obstacles, margin)
+    force = np.zeros((rows, cols, 2))
+    for down in range(-margin, margin + 1):
+        for right in range(-margin, margin + 1):
+            distance = float(np.hypot(down, right))
+            if not 0.0 < distance <= settings.reach:
+                continue
+            strength = settings.repulsion * (1.0 / distance - 1.0 / settings.reach) / distance**2
+            away = strength * np.array([-right, down]) / distance
+            there = around[margin + down : margin + down + rows, margin + right : margin + right + cols]
+            force[there] += away
+    return force

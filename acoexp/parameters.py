@@ -1,0 +1,137 @@
+"""Parameters: declared once on a frozen dataclass, then read by validation, Hydra, ``--help`` and docs alike.
+
+    @dataclass(frozen=True, kw_only=True)
+    class Gaussian(Diffusion):
+        gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import typing
+from collections.abc import Mapping
+from typing import Any
+
+from acoexp.errors import SettingsError
+
+REQUIRED = "???"
+"""Default of a parameter that must be given; also OmegaConf's mark for a missing value."""
+
+
+def parameter(
+    default: Any,
+    meaning: str,
+    *,
+    minimum: float | None = None,
+    maximum: float | None = None,
+    above: float | None = None,
+    choices: tuple[str, ...] | None = None,
+) -> Any:
+    """Declare one parameter as a dataclass field.
+
+    Args:
+        default: Its value when nothing is said, or ``REQUIRED``.
+        meaning: One line for ``--help`` and the docs, with the unit if there is one.
+        minimum: Smallest value allowed.
+        maximum: Largest value allowed.
+        above: Bound that a value must exceed.
+        choices: The only values allowed, for a string.
+    """
+    bounds = {"minimum": minimum, "maximum": maximum, "above": above, "choices": choices}
+    return dataclasses.field(default=default, metadata={"meaning": meaning, **bounds})
+
+
+def fields_of(owner: type) -> dict[str, dataclasses.Field[Any]]:
+    """Return the parameters that a dataclass declares, by name, in order of declaration."""
+    return {f.name: f for f in dataclasses.fields(owner) if "meaning" in f.metadata}
+
+
+def defaults_of(owner: type) -> dict[str, Any]:
+    """Return each parameter's default, by name."""
+    return {name: f.default for name, f in fields_of(owner).items()}
+
+
+def build(owner: type, values: Mapping[str, Any], prefix: str = "") -> Any:
+    """Make an instance of ``owner`` from plain values, each checked against its declaration.
+
+    Args:
+        owner: A dataclass whose fields were made by :func:`parameter`.
+        values: Values by parameter name; what is missing takes its default.
+        prefix: Put before a name in messages, such as ``"diffusion."``.
+
+    Raises:
+        SettingsError: for an unknown name, a missing value, a wrong type, or a value out of range.
+    """
+    declared = fields_of(owner)
+    for name in values:
+        if name not in declared:
+            known = ", ".join(prefix + other for other in declared) or "none: it has no parameters"
+            raise SettingsError(f"{prefix}{name} is not a known key; expected one of: {known}")
+    hints = typing.get_type_hints(owner)
+    merged = {**defaults_of(owner), **values}
+    return owner(**{n: _checked(prefix + n, merged[n], hints[n], f) for n, f in declared.items()})
+
+
+def expected(hint: Any, field: dataclasses.Field[Any]) -> str:
+    """Say in words which values a parameter takes, such as ``a number from 0 to 1``."""
+    rules = field.metadata
+    if rules["choices"]:
+        return "one of: " + ", ".join(rules["choices"])
+    nouns = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
+    kinds = [k for k in (typing.get_args(hint) or (hint,)) if k is not type(None)]
+    words = nouns.get(kinds[0], "a pair [row, column]")
+    if rules["minimum"] is not None and rules["maximum"] is not None:
+        return f"{words} from {rules['minimum']:g} to {rules['maximum']:g}"
+    if rules["minimum"] is not None:
+        return f"{words}, at least {rules['minimum']:g}"
+    if rules["above"] is not None:
+        return f"{words} above {rules['above']:g}"
+    return words
+
+
+def _checked(key: str, value: Any, hint: Any, field: dataclasses.Field[Any]) -> Any:
+    """Return ``value`` as its declared type, or raise."""
+    kinds = typing.get_args(hint) if typing.get_origin(hint) is not tuple else ()
+    optional = type(None) in kinds
+    if value is None and optional:
+        return None
+    kind = next((k for k in kinds if k is not type(None)), hint)
+    converted = _converted(value, kind)
+    if converted is None or not _within(converted, field.metadata):
+        came = "nothing" if value is None or value == REQUIRED else repr(value)
+        raise SettingsError(f"{key}: expected {expected(hint, field)}; got {came}")
+    return converted
+
+
+def _converted(value: Any, kind: Any) -> Any:
+    """Return ``value`` as ``kind``, or None where that would change what it says."""
+    if value == REQUIRED and isinstance(value, str):
+        return None
+    if typing.get_origin(kind) is tuple:
+        return _pair(value)
+    if kind is float and not isinstance(value, bool) and isinstance(value, int | float):
+        return float(value) if math.isfinite(value) else None
+    if hasattr(value, "item") and kind in (int, float):  # a NumPy scalar
+        return _converted(value.item(), kind)
+    if kind is int and (isinstance(value, bool) or not isinstance(value, int)):
+        return None
+    return value if isinstance(value, kind) else None
+
+
+def _pair(value: Any) -> tuple[int, int] | None:
+    """Return a cell as a tuple (row, col) of whole numbers, or None."""
+    if isinstance(value, str) or not hasattr(value, "__len__") or len(value) != 2:
+        return None
+    row, col = (_converted(part, int) for part in value)
+    return None if row is None or col is None else (row, col)
+
+
+def _within(value: Any, rules: Mapping[str, Any]) -> bool:
+    if rules["choices"]:
+        return value in rules["choices"]
+    return not (
+        (rules["minimum"] is not None and value < rules["minimum"])
+        or (rules["maximum"] is not None and value > rules["maximum"])
+        or (rules["above"] is not None and value <= rules["above"])
+    )

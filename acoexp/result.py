@@ -1,0 +1,120 @@
+"""The result of a trial: the path, checked move by move, and everything that is measured on its way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.features import Features, features_of
+from acoexp.grid import Grid, path_length
+
+Pair = tuple[int, int]
+"""A length as (straight, diagonal) moves, exact."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Result:
+    """What one trial found.
+
+    Attributes:
+        algo: Label of the algorithm, ``custom`` if its parts are not a preset's.
+        seed: The trial's seed.
+        grid: The map.
+        path: int[n, 2], the run's best path as cells (row, column); None when no ant ever arrived.
+        raw_path: That path as the ant walked it, where a post-optimiser worked; else None.
+        curve_pairs: int[iterations, 2], (straight, diagonal) moves of the best path found in each cycle; -1
+            where all ants were lost.
+        lost_ants: int[iterations], ants lost in each cycle.
+        ant_steps: Moves made by all ants together.
+    """
+
+    algo: str
+    seed: int
+    grid: Grid
+    path: NDArray[np.int64] | None
+    raw_path: NDArray[np.int64] | None
+    curve_pairs: NDArray[np.int32]
+    lost_ants: NDArray[np.int32]
+    ant_steps: int
+
+    @cached_property
+    def curve(self) -> NDArray[np.float64]:
+        """Best length found in each cycle, float[iterations]; nan where all ants were lost."""
+        straight, diagonal = self.curve_pairs.T.astype(np.float64)
+        return np.where(straight < 0, np.nan, path_length(straight, diagonal))
+
+    @cached_property
+    def features(self) -> Features:
+        """The features of the curve."""
+        return features_of(self.curve)
+
+    @property
+    def x1(self) -> int:
+        """First cycle that found the run's best length; 0 if there is none."""
+        return self.features.x1
+
+    @property
+    def x2(self) -> int:
+        """First cycle that found it twice in a row, or else the last that found it; 0 if there is none."""
+        return self.features.x2
+
+    @property
+    def x3(self) -> int:
+        """First cycle from which on the curve stays at ``l2``; 0 if there is none."""
+        return self.features.x3
+
+    @property
+    def l1(self) -> float:
+        """Best length of the run, in cells; nan if no ant ever arrived."""
+        return self.features.l1
+
+    @property
+    def l2(self) -> float:
+        """Length of convergence, the last cycle's best; nan if all its ants were lost."""
+        return self.features.l2
+
+    @property
+    def length(self) -> float:
+        """Length of ``path``, the same as ``l1``."""
+        return self.features.l1
+
+    @property
+    def optimum(self) -> float:
+        """Exact length of a shortest path on the map."""
+        return self.grid.optimum
+
+    @property
+    def optimum_pair(self) -> Pair:
+        """The exact optimum as (straight, diagonal) moves."""
+        return self.grid.optimum_pair
+
+    @property
+    def l1_pair(self) -> Pair | None:
+        """``l1`` as (straight, diagonal) moves."""
+        return self._pair(self.x1)
+
+    @property
+    def l2_pair(self) -> Pair | None:
+        """``l2`` as (straight, diagonal) moves."""
+        return self._pair(self.x3)
+
+    @property
+    def found_optimum(self) -> bool:
+        """Whether the run's best path is a shortest one."""
+        return self.l1_pair == self.optimum_pair
+
+    def _pair(self, cycle: int) -> Pair | None:
+        if cycle == 0:
+            return None
+        straight, diagonal = self.curve_pairs[cycle - 1].tolist()
+        return straight, diagonal
+
+    def __repr__(self) -> str:
+        found = f"l1={self.l1:.4f} l2={self.l2:.4f} x1={self.x1} x2={self.x2} x3={self.x3}"
+        return (
+            f"<{self.algo} on {self.grid.name}, seed {self.seed}: {found}, optimum {self.optimum:.4f}, "
+            f"{int(self.lost_ants.sum())} ants lost>"
+        )

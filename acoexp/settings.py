@@ -1,0 +1,118 @@
+"""Settings: what a user says, resolved into checked parts and scalars; the one way in, for Python and Hydra."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from acoexp import registry
+from acoexp.colony.problem import ColonySettings
+from acoexp.errors import SettingsError
+from acoexp.field import FieldSettings
+from acoexp.parameters import build, fields_of
+from acoexp.presets import CUSTOM, find_preset
+from acoexp.registry import STRATEGY_GROUPS
+from acoexp.strategies import Choice, Diffusion, Heuristic, Post, Update
+
+HIGHEST_SEED = 2**64 - 1
+
+_KINDS: dict[str, type] = {
+    "heuristic": Heuristic, "choice": Choice, "diffusion": Diffusion, "post": Post, "update": Update,
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Everything about a trial but its map and its seed, checked.
+
+    Attributes:
+        label: The preset's name, or ``custom`` where one of its parts was replaced.
+        scalars: The colony's scalars.
+        field: The potential field's constants.
+        parts: The part in each strategy group.
+        names: The name of each part: as registered, or its class's name if it is not.
+    """
+
+    label: str
+    scalars: ColonySettings
+    field: FieldSettings
+    parts: dict[str, Any]
+    names: dict[str, str]
+
+
+def resolve(algo: str, values: Mapping[str, Any]) -> Settings:
+    """Resolve settings.
+
+    Args:
+        algo: Name of a preset.
+        values: By key: scalars; ``field`` as a mapping; parts as a registered name, a mapping of parameters
+            (with ``name``, or else of the preset's own part), or an object.
+
+    Raises:
+        SettingsError: for an unknown key or name, and for any value that its declaration does not allow.
+        StrategyError: for a part whose package cannot be imported.
+    """
+    preset = find_preset(algo)
+    given = _merge(preset.values, values)
+    known = {*fields_of(ColonySettings), *STRATEGY_GROUPS, "field"}
+    for key in given:
+        if key not in known:
+            raise SettingsError(f"{key} is not a known key; expected one of: {', '.join(sorted(known))}")
+    named = {g: _part(g, given.get(g, {}), preset.parts[g]) for g in STRATEGY_GROUPS}
+    names = {group: name for group, (name, _) in named.items()}
+    scalars = {key: value for key, value in given.items() if key in fields_of(ColonySettings)}
+    return Settings(
+        label=algo if names == preset.parts else CUSTOM,
+        scalars=build(ColonySettings, scalars),
+        field=build(FieldSettings, _mapping("field", given.get("field", {})), "field."),
+        parts={group: part for group, (_, part) in named.items()},
+        names=names,
+    )
+
+
+def check_seed(seed: Any) -> int:
+    """Return a seed as a whole number from 0 to 2^64 - 1.
+
+    Raises:
+        SettingsError: if it is not one.
+    """
+    whole = not isinstance(seed, bool) and hasattr(seed, "__index__")
+    if not whole or not 0 <= seed.__index__() <= HIGHEST_SEED:
+        raise SettingsError(f"seed: expected a whole number from 0 to 2^64 - 1; got {seed!r}")
+    return int(seed)
+
+
+def _part(group: str, given: Any, preset_name: str) -> tuple[str, Any]:
+    """Return a part's name and the part itself."""
+    if isinstance(given, _KINDS[group]):
+        return _registered_name(group, type(given)), given
+    if isinstance(given, str):
+        given = {"name": given}
+    parameters = dict(_mapping(group, given))
+    name = parameters.pop("name", preset_name)
+    owner = registry.find(group, name)
+    return name, build(owner, parameters, f"{group}.")
+
+
+def _mapping(key: str, given: Any) -> Mapping[str, Any]:
+    if not isinstance(given, Mapping):
+        part = f", a name or a {_KINDS[key].__name__} object" if key in _KINDS else ""
+        raise SettingsError(f"{key}: expected a mapping of parameters{part}; got {given!r}")
+    return given
+
+
+def _registered_name(group: str, owner: type) -> str:
+    """Return the name under which a part's class is registered, without importing anything."""
+    value = f"{owner.__module__}:{owner.__qualname__}"
+    names = (name for name, entry in registry.entries(group).items() if entry.value == value)
+    return next(names, owner.__name__)
+
+
+def _merge(preset: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
+    """Lay what was given over what the preset says, parameter by parameter where both are mappings."""
+    merged = {**preset, **given}
+    for key in preset.keys() & given.keys():
+        if isinstance(preset[key], Mapping) and isinstance(given[key], Mapping) and "name" not in given[key]:
+            merged[key] = {**preset[key], **given[key]}
+    return merged

@@ -1,0 +1,217 @@
+"""The solver: one configuration on one map, made ready once, then run for any number of seeds and threads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
+from queue import SimpleQueue
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.cache import compile_once
+from acoexp.colony.loop import Own, Record, make_loop
+from acoexp.colony.problem import Problem
+from acoexp.colony.state import Colony, Trails, new_colony, new_trails
+from acoexp.errors import AcoexpError, MapError, SettingsError, StrategyError
+from acoexp.grid import DIRECTIONS, Grid
+from acoexp.result import Result
+from acoexp.settings import Settings, check_seed
+
+DESIRABILITY_LIMIT = 1e200
+"""eta^beta is cut off here; with tau^alpha cut off at 10^100, no sum of weights overflows."""
+
+_loop = lru_cache(maxsize=None)(make_loop)
+
+
+class Workspace(NamedTuple):
+    """The memory of one worker, used for one trial after the other.
+
+    Attributes:
+        pristine: The parts' own states as prepared, to which ``own`` is brought back before a trial.
+    """
+
+    colony: Colony
+    own: Own
+    pristine: Own
+    raw: Trails
+    final: Trails
+    best: Trails
+    cells: NDArray[np.int32]
+
+
+class Solver:
+    """Runs trials of one configuration on one map."""
+
+    def __init__(self, grid: Grid, settings: Settings) -> None:
+        self.grid = grid
+        self.settings = settings
+        parts = settings.parts
+        problem = Problem(grid, settings.scalars, settings.field)
+        self._problem = problem
+        self._desirability = self._weigh_moves(problem)
+        self._initial = self._initial_pheromone(problem)
+        self._own = Own(*(parts[group].prepare(problem) for group in Own._fields))
+        self._has_post = parts["post"].kernel is not None
+        kernels = tuple(parts[group].kernel for group in Own._fields)
+        self._loop = _loop(*kernels)
+        self._compile(kernels)
+
+    def solve(self, seed: int) -> Result:
+        """Run one trial.
+
+        Raises:
+            SettingsError: if the seed is not a whole number from 0 to 2^64 - 1.
+            StrategyError: if a part broke its contract.
+        """
+        return self._trial(self._new_workspace(), check_seed(seed))
+
+    def solve_many(self, seeds: Iterable[int], threads: int | None = None) -> list[Result]:
+        """Run a trial for each seed on some threads; results stand in the order of the seeds.
+
+        A trial's result depends on its seed alone, whatever the threads and the order.
+
+        Args:
+            seeds: The seeds.
+            threads: How many threads; by default one for each processor this process may use.
+
+        Raises:
+            SettingsError: for a seed or a number of threads that is not one.
+            StrategyError: if a part broke its contract.
+        """
+        checked = [check_seed(seed) for seed in seeds]
+        workers = min(_check_threads(threads), max(1, len(checked)))
+        idle: SimpleQueue[Workspace] = SimpleQueue()
+        for _ in range(workers):
+            idle.put(self._new_workspace())
+
+        def trial(seed: int) -> Result:
+            workspace = idle.get()
+            try:
+                return self._trial(workspace, seed)
+            finally:
+                idle.put(workspace)
+
+        if workers == 1:
+            return [trial(seed) for seed in checked]
+        with ThreadPoolExecutor(workers) as pool:
+            return list(pool.map(trial, checked))
+
+    def _trial(self, workspace: Workspace, seed: int) -> Result:
+        record = _new_record(self.settings.scalars.iterations)
+        _restore(workspace.own, workspace.pristine)
+        broken = self._run(workspace, record, np.uint64(seed))
+        if broken:
+            raise StrategyError(
+                f"post {self.settings.names['post']!r} returned what is no path from start to goal, in cycle "
+                f"{broken} of seed {seed}; expected allowed moves from start to goal"
+            )
+        best, curve = workspace.best, np.stack([record.straight, record.steps - record.straight], axis=1)
+        curve[record.steps < 0] = -1
+        arrived = bool(np.isfinite(best.length[0]))
+        try:
+            path = self._path(best, 0) if arrived else None
+        except MapError as problem:
+            raise StrategyError(
+                f"choice {self.settings.names['choice']!r} broke its contract, seed {seed}: {problem}"
+            ) from problem
+        return Result(
+            algo=self.settings.label,
+            seed=seed,
+            grid=self.grid,
+            path=path,
+            raw_path=self._path(best, 1) if arrived and self._has_post else None,
+            curve_pairs=curve,
+            lost_ants=record.lost,
+            ant_steps=int(record.ant_steps[0]),
+        )
+
+    def _run(self, workspace: Workspace, record: Record, seed: np.uint64) -> int:
+        w = workspace
+        with np.errstate(over="ignore"):  # uint64 wraps around on purpose, which matters without the JIT
+            return int(
+                self._loop(w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed)
+            )
+
+    def _compile(self, kernels: tuple[Any, ...]) -> None:
+        w = self._new_workspace()
+        record = _new_record(1)
+        example = (w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, np.uint64(0))
+        try:
+            compile_once(self._loop, kernels, example)
+        except AcoexpError:
+            raise
+        except Exception as problem:
+            names = ", ".join(f"{group}={name}" for group, name in self.settings.names.items())
+            raise StrategyError(f"the colony ({names}) cannot be compiled: {problem}") from problem
+
+    def _new_workspace(self) -> Workspace:
+        colony = new_colony(self._problem, self._desirability)
+        ants, cells = self.settings.scalars.ants, colony.untouched.size
+        raw = new_trails(ants, cells)
+        return Workspace(
+            colony=colony,
+            own=Own(*(_copied(state) for state in self._own)),
+            pristine=self._own,
+            raw=raw,
+            final=new_trails(ants, cells) if self._has_post else raw,
+            best=new_trails(2, cells),
+            cells=np.empty(cells if self._has_post else 1, dtype=np.int32),
+        )
+
+    def _path(self, trails: Trails, row: int) -> NDArray[np.int64]:
+        """Return a trail as cells int[n, 2], checked against the map."""
+        moves = trails.moves[row, : trails.steps[row]]
+        steps = np.array(DIRECTIONS)[moves]
+        path = np.concatenate([[self.grid.start], self.grid.start + np.cumsum(steps, axis=0)])
+        self.grid.measure(path)
+        return path
+
+    def _weigh_moves(self, problem: Problem) -> NDArray[np.float64]:
+        """Return eta^beta, float64[edges], 0 where a move is not allowed."""
+        heuristic = self.settings.parts["heuristic"]
+        allowed = problem.allowed_edges()
+        eta = np.broadcast_to(np.asarray(heuristic.eta(problem), dtype=np.float64), allowed.shape)
+        if not (np.isfinite(eta[allowed]).all() and (eta[allowed] >= 0.0).all()):
+            name = self.settings.names["heuristic"]
+            raise StrategyError(f"heuristic {name!r}: expected eta to be finite and at least 0 on every move")
+        with np.errstate(over="ignore"):
+            desirability = np.minimum(np.power(eta, problem.settings.beta, where=allowed, out=np.zeros(eta.shape)), DESIRABILITY_LIMIT)
+        return problem.per_edge(desirability, border=0.0)
+
+    def _initial_pheromone(self, problem: Problem) -> NDArray[np.float64]:
+        """Return the initial pheromone, float64[1] or float64[edges]."""
+        initial = np.asarray(self.settings.parts["update"].initial(problem), dtype=np.float64)
+        if initial.ndim == 0:
+            return initial.reshape(1)
+        return problem.per_edge(np.broadcast_to(initial, (*self.grid.shape, 8)), border=0.0)
+
+
+def _new_record(iterations: int) -> Record:
+    straight, steps, lost = np.empty((3, iterations), dtype=np.int32)
+    return Record(straight, steps, lost, np.zeros(1, dtype=np.int64))
+
+
+def _copied(state: Any) -> Any:
+    """Return a part's own state with copies of the arrays that it may write to."""
+    values = (v.copy() if isinstance(v, np.ndarray) and v.flags.writeable else v for v in state)
+    return type(state)(*values) if hasattr(state, "_fields") else tuple(values)
+
+
+def _restore(own: Own, pristine: Own) -> None:
+    """Bring the arrays that parts may write to back to what they were before the first trial."""
+    for state, prepared in zip(own, pristine, strict=True):
+        for value, original in zip(state, prepared, strict=True):
+            if isinstance(value, np.ndarray) and value.flags.writeable:
+                np.copyto(value, original)
+
+
+def _check_threads(threads: int | None) -> int:
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+        raise SettingsError(f"threads: expected a whole number, at least 1; got {threads!r}")
+    return threads

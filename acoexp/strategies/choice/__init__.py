@@ -1,0 +1,1 @@
+"""Choices: which move an ant makes."""

@@ -1,0 +1,1 @@
+"""Diffusions: what pheromone does while an ant stands on a cell."""

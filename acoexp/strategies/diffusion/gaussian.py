@@ -1,0 +1,72 @@
+"""tau_ij += gamma * phi(i) * (r - xi) / r, j the neighbour that the field's force points to (Eqs 5-8).
+
+The source phi(i) is the pheromone of the edge from i in that direction, so the edge is multiplied by a constant:
+1 + gamma / 3 on a diagonal, 1 + gamma (1 - sqrt 2 / 3) straight ahead. Nothing diffuses where that move is
+not allowed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.compiled import compiled
+from acoexp.colony.pheromone import multiply
+from acoexp.colony.problem import Problem
+from acoexp.field import NO_DIRECTION
+from acoexp.grid import SQRT2
+from acoexp.parameters import parameter
+from acoexp.strategies.part import Diffusion
+
+RADIUS = 1.5 * SQRT2
+"""Diffusion radius r in cells (Eq. 7)."""
+
+
+class OwnState(NamedTuple):
+    """Attributes: sector uint8[cells], where pheromone diffuses to; growth and its alpha-th power, [2]."""
+
+    sector: NDArray[np.uint8]
+    growth: NDArray[np.float64]
+    growth_to_alpha: NDArray[np.float64]
+
+
+@compiled
+def diffuse(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> None:
+    """Strengthen the edge along the force."""
+    sector = own.sector[np.uintp(cell)]
+    if sector != NO_DIRECTION:
+        kind = sector & 1
+        multiply(colony, cell * 8 + sector, own.growth[kind], own.growth_to_alpha[kind])
+
+
+def shares() -> NDArray[np.float64]:
+    """Return the share (r - xi) / r that reaches a straight and a diagonal neighbour (Eqs 7, 8): float[2]."""
+    return 1.0 - np.array([1.0, SQRT2]) / RADIUS
+
+
+def open_sectors(problem: Problem) -> NDArray[np.uint8]:
+    """Return the field's sectors, uint8[rows, cols], without those whose move is not allowed."""
+    sector = problem.field.sector
+    is_open = (problem.grid.allowed >> np.minimum(sector, 7) & 1).astype(bool) & (sector != NO_DIRECTION)
+    return np.where(is_open, sector, NO_DIRECTION).astype(np.uint8)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Gaussian(Diffusion):
+    """Diffuses pheromone to the one neighbour that the potential field's force points to (Liu et al. 2017)."""
+
+    gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
+    source: str = parameter(
+        "force_edge", "what phi(i) is: the pheromone of the edge along the force", choices=("force_edge",)
+    )
+
+    kernel = staticmethod(diffuse)
+
+    def prepare(self, problem: Problem) -> OwnState:
+        """Look up, per cell, where pheromone goes."""
+        growth = 1.0 + self.gamma * shares()
+        sector = problem.per_cell(open_sectors(problem), border=NO_DIRECTION)
+        return OwnState(sector, growth, growth**problem.settings.alpha)

@@ -1,0 +1,1 @@
+"""Heuristics: how desirable a move is before the first ant walks."""

@@ -1,0 +1,86 @@
+"""What a strategy is: five kinds of parts that together make a colony.
+
+A part is a frozen dataclass whose fields are its parameters. It may prepare state of its own, once, before
+any ant walks, and names the kernel that acts during a trial. Kernels are compiled by
+:func:`acoexp.colony.compiled.compiled`; they get the colony first and the part's own state second, and
+
+* may read anything of :class:`acoexp.colony.state.Colony`,
+* may change pheromone through :mod:`acoexp.colony.pheromone`, draw random numbers by
+  :func:`acoexp.colony.random.uniform`, and write to the arrays of their own state,
+* must do nothing else: no global state, no other array written, no exception raised.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.problem import Problem
+
+
+class Heuristic(ABC):
+    """How desirable each move is, before the first cycle."""
+
+    @abstractmethod
+    def eta(self, problem: Problem) -> NDArray[np.float64]:
+        """Return eta, float64[rows, cols, 8] or anything that broadcasts to it: at least 0, finite.
+
+        Values at moves that are not allowed do not matter.
+        """
+
+
+class Part:
+    """A part that acts while a trial runs."""
+
+    kernel: ClassVar[Callable[..., Any] | None]
+
+    def prepare(self, problem: Problem) -> tuple[Any, ...]:
+        """Return the part's own state: a tuple or NamedTuple of numbers and arrays.
+
+        Called once for all trials on a problem. Arrays that are read-only are shared between threads; of the
+        others each thread gets its own copies, brought back to these values before every trial.
+        """
+        return ()
+
+
+class Choice(Part):
+    """Which move an ant makes.
+
+    Its kernel is ``choose(colony, own, ant, cell, came) -> direction``: from ``cell``, where the ant (its row
+    in the cycle) arrived in direction ``came`` (``NO_WAY_HERE`` on the start). It returns the direction of an
+    allowed move to a cell that the ant has not visited, or ``LOST`` if there is none. It may change the
+    pheromone of the edge it returns.
+    """
+
+
+class Diffusion(Part):
+    """What pheromone does while an ant stands on a cell, before it chooses.
+
+    Its kernel is ``diffuse(colony, own, ant, cell, came) -> None``, called at every step of every ant.
+    """
+
+
+class Post(Part):
+    """How an ant's path is made better once it has arrived.
+
+    Its kernel is ``optimise(colony, own, cells, count) -> count``: it changes the path in place, the first
+    ``count`` entries of ``cells`` (int32), and returns how many cells are left. The result must be a path of
+    allowed moves from start to goal. ``kernel = None`` leaves paths as they were walked.
+    """
+
+
+class Update(Part):
+    """What happens to the pheromone at the end of a cycle.
+
+    Its kernel is ``update(colony, own, raw, final, best) -> None``: ``raw`` and ``final`` are the trails of
+    the cycle's ants as walked and as optimised (the same without a post-optimiser), ``best`` has the run's
+    best path so far in row 0 and that path as it was walked in row 1. Lost ants have length inf.
+    """
+
+    def initial(self, problem: Problem) -> float | NDArray[np.float64]:
+        """Return the initial pheromone: one level, or float64[rows, cols, 8]. By default tau0."""
+        return problem.settings.tau0

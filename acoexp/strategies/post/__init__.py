@@ -1,0 +1,1 @@
+"""Post-optimisers: how an ant's path is made better."""

@@ -1,0 +1,1 @@
+"""Updates: what happens to the pheromone at the end of a cycle."""
