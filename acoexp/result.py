@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -106,6 +107,27 @@ class Result:
         """Whether the run's best path is a shortest one."""
         return self.l1_pair == self.optimum_pair
 
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything as plain values for JSON; None where there is no value."""
+        return {
+            "algo": self.algo,
+            "map": self.grid.name,
+            "map_digest": self.grid.digest,
+            "seed": self.seed,
+            **self.features._asdict(),
+            "l1": _or_none(self.l1),
+            "l2": _or_none(self.l2),
+            "optimum": self.optimum,
+            "l1_pair": self.l1_pair,
+            "l2_pair": self.l2_pair,
+            "optimum_pair": self.optimum_pair,
+            "lost_ants": self.lost_ants.tolist(),
+            "ant_steps": self.ant_steps,
+            "curve": [_or_none(length) for length in self.curve.tolist()],
+            "path": None if self.path is None else self.path.tolist(),
+            "raw_path": None if self.raw_path is None else self.raw_path.tolist(),
+        }
+
     def _pair(self, cycle: int) -> Pair | None:
         if cycle == 0:
             return None
@@ -118,3 +140,7 @@ class Result:
             f"<{self.algo} on {self.grid.name}, seed {self.seed}: {found}, optimum {self.optimum:.4f}, "
             f"{int(self.lost_ants.sum())} ants lost>"
         )
+
+
+def _or_none(length: float) -> float | None:
+    return None if np.isnan(length) else length

@@ -1,0 +1,96 @@
+"""``--help``: every group and option in one line each, from the declarations themselves."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from typing import Any
+
+from acoexp import registry
+from acoexp.colony.problem import ColonySettings
+from acoexp.errors import StrategyError
+from acoexp.field import FieldSettings
+from acoexp.parameters import fields_of
+from acoexp.presets import conf_dir, find_preset, preset_names
+
+_EXAMPLES = """\
+acoexp: ant-colony path planning of mobile robots on occupancy grids
+
+  python -m acoexp                                       one trial: pictures and figures
+  python -m acoexp algo=pdg map=env2 -m seed=0-9         ten trials, tracked
+  python -m acoexp map=file map.path=my_map.txt          your own map
+  python -m acoexp algo=aco,pd,pdg map=env2 -m seed=0-9  compare
+
+Say group=option, or key=value. Sweep over several values by -m: seed=0-4,7 algo=aco,pdg rho=0.3,0.5
+"""
+
+
+def help_text() -> str:
+    """Return the help as a template for Hydra, which fills in its own flags."""
+    sections = [_EXAMPLES, _presets(), *map(_group, registry.GROUPS), _files("tracking"), _scalars(), _FLAGS]
+    return "\n".join(sections)
+
+
+_FLAGS = """\
+== Flags ==
+-m runs a sweep; --cfg job shows the resolved settings; --info shows where they come from; --hydra-help tells of
+Hydra's own flags. Completion: eval "$$(acoexp -sc install=bash)"
+"""
+
+
+def _presets() -> str:
+    return _section("algo", "a preset over the five parts below", {n: find_preset(n).summary for n in preset_names()})
+
+
+def _group(group: str) -> str:
+    about = {
+        "heuristic": "how desirable a move is before the first cycle",
+        "choice": "which move an ant makes",
+        "diffusion": "what pheromone does at every step",
+        "post": "how an ant's path is made better",
+        "update": "what happens to pheromone after a cycle",
+        "map": "where the map comes from",
+        "report": "what is made of the results",
+    }
+    lines = {name: _describe(group, name) for name in registry.names(group)}
+    options = {**_summaries(group), **lines}
+    return _section(group, about[group], options)
+
+
+def _describe(group: str, name: str) -> str:
+    try:
+        owner = registry.find(group, name)
+    except StrategyError as problem:
+        return f"BROKEN: {problem}"
+    summary = (inspect.getdoc(owner) or "").partition("\n")[0]
+    return summary + "".join(f"\n    {group}.{key}: {text}" for key, text in _keys(owner).items())
+
+
+def _files(group: str) -> str:
+    return _section(group, "where results go", _summaries(group))
+
+
+def _summaries(group: str) -> dict[str, str]:
+    """Return the first remark of each YAML file of a group."""
+    files = sorted((conf_dir() / group).glob("*.yaml"))
+    return {file.stem: re.findall(r"^# ([^@].*)$", file.read_text("utf-8"), re.M)[0] for file in files}
+
+
+def _scalars() -> str:
+    keys = {"seed": "whole number that the trial's random numbers follow from [0]"}
+    keys |= _keys(ColonySettings) | {f"field.{key}": text for key, text in _keys(FieldSettings).items()}
+    return _section("keys", "key=value", keys)
+
+
+def _keys(owner: Any) -> dict[str, str]:
+    """Return each parameter's meaning and default."""
+    return {
+        name: f"{field.metadata['meaning']} [{'null' if field.default is None else field.default}]"
+        for name, field in fields_of(owner).items()
+    }
+
+
+def _section(title: str, about: str, lines: dict[str, str]) -> str:
+    width = max(map(len, lines), default=0)
+    body = "".join(f"  {name:<{width}}  {text}\n" for name, text in lines.items())
+    return f"== {title}: {about} ==\n" + body.replace("$", "$$")

@@ -1,0 +1,108 @@
+"""One job: a resolved configuration becomes a trial, is tracked, and leaves its files in the job's folder."""
+
+from __future__ import annotations
+
+import json
+import time
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from hydra.core.hydra_config import HydraConfig
+from hydra.types import RunMode
+from omegaconf import DictConfig, OmegaConf
+from omegaconf.errors import OmegaConfBaseException
+
+from acoexp import registry
+from acoexp.errors import SettingsError
+from acoexp.grid import Grid
+from acoexp.parameters import build
+from acoexp.settings import Settings, check_seed, resolve
+from acoexp.solver import Solver
+from acoexp.tracking import Tracker, Trial, open_tracker
+
+
+def run_job(config: DictConfig) -> float:
+    """Run the trial that a configuration describes; return its best length.
+
+    Raises:
+        AcoexpError: for whatever went wrong.
+    """
+    return Job(config).run()
+
+
+class Job:
+    """A checked configuration, ready to run.
+
+    Raises:
+        AcoexpError: if anything in it is wrong; nothing has been written then.
+    """
+
+    def __init__(self, config: DictConfig) -> None:
+        self.config = _plain(config)
+        self.tracker: Tracker = open_tracker(self._mapping("tracking"))
+        self.seed = check_seed(self.config["seed"])
+        self.settings = self._settings()
+        self.grid = self._grid()
+        report = self._mapping("report").get("name")
+        if report != "none":
+            registry.find("report", str(report))
+
+    def run(self) -> float:
+        """Run the trial and keep what it found."""
+        solver = Solver(self.grid, self.settings)
+        began = time.perf_counter()
+        result = solver.solve(self.seed)
+        seconds = time.perf_counter() - began
+        trial = Trial(result, self.config)
+        self.tracker.log(trial)
+        hydra = HydraConfig.get()
+        folder = Path(hydra.runtime.output_dir)
+        (folder / "config.yaml").write_text(OmegaConf.to_yaml(self.config), encoding="utf-8")
+        if hydra.mode == RunMode.RUN:
+            from acoexp.command.pictures import draw_convergence, draw_map
+
+            draw_map(result, folder / "path.png")
+            draw_convergence(result, folder / "convergence.png")
+        content = {**result.as_dict(), "seconds": seconds, "cell": trial.cell, "config": trial.params}
+        _write_whole(folder / "trial.json", json.dumps(content))
+        return result.length
+
+    def _settings(self) -> Settings:
+        others = ("seed", "algo", "map", "tracking", "report")
+        values = {key: value for key, value in self.config.items() if key not in others}
+        return resolve(self.config["algo"], values)
+
+    def _grid(self) -> Grid:
+        parameters = dict(self._mapping("map"))
+        name = parameters.pop("name", None)
+        return _load(build(registry.find("map", str(name)), parameters, "map."))
+
+    def _mapping(self, key: str) -> dict[str, Any]:
+        value = self.config.get(key)
+        if not isinstance(value, dict):
+            raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
+        return value
+
+
+@lru_cache(maxsize=4)
+def _load(source: Any) -> Grid:
+    """Load a map once for the jobs of a process that share it."""
+    grid: Grid = source.load()
+    return grid
+
+
+def _plain(config: DictConfig) -> dict[str, Any]:
+    ours = [key for key in config if key != "hydra"]
+    try:
+        plain = OmegaConf.to_container(OmegaConf.masked_copy(config, ours), resolve=True)
+    except OmegaConfBaseException as problem:
+        raise SettingsError(str(problem).splitlines()[0]) from problem
+    return {str(key): value for key, value in plain.items()} if isinstance(plain, dict) else {}
+
+
+def _write_whole(file: Path, text: str) -> None:
+    """Write a file so that it is there whole or not at all; its presence says that the trial is finished."""
+    draft = file.with_suffix(".draft")
+    draft.write_text(text, encoding="utf-8")
+    draft.replace(file)

@@ -1,0 +1,55 @@
+"""The command's entry: arguments are put in order, options registered, then Hydra takes over."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+
+import hydra
+from hydra.errors import HydraException
+from omegaconf.errors import OmegaConfBaseException
+
+from acoexp.command import sweep
+from acoexp.command.arguments import normalise
+from acoexp.command.job import run_job
+from acoexp.command.options import register_options
+from acoexp.errors import AcoexpError
+from acoexp.presets import conf_dir
+
+INTERRUPTED = 130
+
+
+def main() -> None:
+    """Run ``acoexp`` with the arguments of this process; leaves by ``SystemExit`` if anything is wrong."""
+    wants_traceback = os.environ.get("HYDRA_FULL_ERROR") == "1"
+    os.environ["HYDRA_FULL_ERROR"] = "1"  # so that Hydra hands its errors to us instead of printing them
+    try:
+        arguments = normalise(sys.argv[1:])
+        register_options(arguments.config_dir)
+        sys.argv[1:] = arguments.argv
+        hydra.main(version_base="1.3", config_path=str(conf_dir()), config_name="config")(run_job)()
+    except KeyboardInterrupt:
+        sweep.finish()
+        print("acoexp: interrupted; what was finished is kept", file=sys.stderr)
+        sys.exit(INTERRUPTED)
+    except (AcoexpError, HydraException, OmegaConfBaseException, OSError) as problem:
+        if wants_traceback:
+            raise
+        sweep.finish()
+        print(f"acoexp: error: {_in_one_line(problem)}", file=sys.stderr)
+        sys.exit(1)
+    finally:
+        sweep.finish()
+
+
+def _in_one_line(problem: Exception) -> str:
+    """Return an error's message as one line, Hydra's in our words."""
+    text = " ".join(str(problem).partition("Config search path")[0].split())
+    unknown = re.match(r"Could not override '([^']+)'", text)
+    if unknown:
+        return f"{unknown[1]} is not a known key; --help lists the keys, --cfg job shows the settings"
+    missing = re.match(r"In '[^']+': Could not find '([^/']+)/([^']+)' Available options in '[^']+': (.*)", text)
+    if missing:
+        return f"{missing[1]}: expected one of: {', '.join(missing[3].split())}; got {missing[2]!r}"
+    return text

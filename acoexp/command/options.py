@@ -1,0 +1,100 @@
+"""Options: what Hydra offers on the command line, from the parts' declarations and the user's own folder."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from hydra._internal.sources_registry import SourcesRegistry
+from hydra.core.config_search_path import ConfigSearchPath, SearchPathQuery
+from hydra.core.config_store import ConfigStore
+from hydra.core.plugins import Plugins
+from hydra._internal.core_plugins.file_config_source import FileConfigSource
+from hydra.errors import HydraException
+from hydra.plugins.config_source import ConfigResult
+from hydra.plugins.search_path_plugin import SearchPathPlugin
+from omegaconf import OmegaConf
+
+from acoexp import registry
+from acoexp.colony.problem import ColonySettings
+from acoexp.command.help import help_text
+from acoexp.errors import SettingsError, StrategyError
+from acoexp.field import FieldSettings
+from acoexp.parameters import defaults_of
+
+_RUNS_CODE = re.compile(r"(^|[\s/@])hydra(?!\w)|_target_")
+
+
+def register_options(config_dir: str | None) -> None:
+    """Tell Hydra of every registered part and map, of the scalars, and of the user's folder of options.
+
+    Raises:
+        SettingsError: if that folder does not exist.
+    """
+    store = ConfigStore.instance()
+    store.store(name="settings", node={**_plain(ColonySettings), "field": _plain(FieldSettings)})
+    for group in registry.GROUPS:
+        for name in registry.names(group):
+            store.store(group=group, name=name, node={"name": name, **_parameters(group, name)})
+    store.store(group="hydra/help", name="acoexp", node={"template": help_text()})
+    if config_dir is not None:
+        _register_folder(config_dir)
+
+
+def _parameters(group: str, name: str) -> dict[str, Any]:
+    """Return a part's parameters; none if it is broken, which is told to whoever uses it."""
+    try:
+        return _plain(registry.find(group, name))
+    except StrategyError:
+        return {}
+
+
+def _plain(owner: type) -> dict[str, Any]:
+    return {n: list(v) if isinstance(v, tuple) else v for n, v in defaults_of(owner).items()}
+
+
+def _register_folder(config_dir: str) -> None:
+    folder = Path(config_dir).absolute()
+    if not folder.is_dir():
+        raise SettingsError(f"--config-dir: expected a folder; got {config_dir!r}")
+
+    class UserFolder(SearchPathPlugin):
+        def manipulate_search_path(self, search_path: ConfigSearchPath) -> None:
+            search_path.prepend("command-line", f"options://{folder}", SearchPathQuery(provider="schema"))
+
+    SourcesRegistry.instance().register(UserOptions)
+    Plugins.instance().register(UserFolder)
+
+
+class UserOptions(FileConfigSource):
+    """The user's own option files: settings of ours, and nothing that makes the program import or run code."""
+
+    @staticmethod
+    def scheme() -> str:
+        """Return what an address of this kind begins with."""
+        return "options"
+
+    def load_config(self, config_path: str) -> ConfigResult:
+        """Read a file and refuse it if it reaches for Hydra's own settings or for code."""
+        result = super().load_config(config_path)
+        content = OmegaConf.to_container(result.config, resolve=False)
+        where = f"{config_path} {result.header.get('package') or ''}"
+        if _RUNS_CODE.search(where) or _reaches_out(content):
+            raise HydraException(
+                f"{Path(self.path, config_path)}.yaml: expected settings of acoexp only; an option file may not "
+                "set hydra.* or _target_, which run code"
+            )
+        return result
+
+
+def _reaches_out(content: Any, in_defaults: bool = False) -> bool:
+    """Tell whether a file's content, or its defaults list, names ``_target_`` or anything of Hydra's."""
+    if isinstance(content, dict):
+        return any(
+            _RUNS_CODE.search(str(key)) or _reaches_out(value, str(key) == "defaults")
+            for key, value in content.items()
+        )
+    if isinstance(content, list):
+        return any(_reaches_out(item, in_defaults) for item in content)
+    return in_defaults and _RUNS_CODE.search(str(content)) is not None

@@ -1,0 +1,62 @@
+"""Pictures of one trial: the map with its path, and the convergence curve."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from acoexp.result import Result
+
+# Okabe and Ito's colours, told apart by the colour-blind
+BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
+
+
+def draw_map(result: Result, file: Path) -> None:
+    """Draw the map with the returned path, and with the path as it was walked if that differs."""
+    grid = result.grid
+    rows, cols = grid.shape
+    figure = Figure(figsize=(6, 6 * (rows + 2) / (cols + 1)), layout="constrained")
+    axes = figure.subplots()
+    axes.imshow(grid.obstacles, cmap="Greys", vmin=0, vmax=1.6, interpolation="nearest")
+    if max(rows, cols) <= 64:
+        axes.set_xticks(np.arange(cols + 1) - 0.5, minor=True)
+        axes.set_yticks(np.arange(rows + 1) - 0.5, minor=True)
+        axes.grid(which="minor", color="0.85", linewidth=0.5)
+        axes.tick_params(which="minor", length=0)
+    if result.raw_path is not None:
+        axes.plot(*result.raw_path.T[::-1], color=ORANGE, linewidth=1.5, linestyle="--", label="as walked")
+    if result.path is not None:
+        label = f"path, {result.length:.4f}"
+        axes.plot(*result.path.T[::-1], color=BLUE, linewidth=2.5, label=label)
+    axes.plot(*grid.start[::-1], "o", color=GREEN, label="start")
+    axes.plot(*grid.goal[::-1], "*", color=GREEN, markersize=12, label="goal")
+    axes.set(
+        title=f"{result.algo} on {grid.name}, seed {result.seed} (optimum {result.optimum:.4f})",
+        xlabel="column",
+        ylabel="row",
+    )
+    figure.legend(loc="outside lower center", ncols=4, frameon=False)
+    _save(figure, file)
+
+
+def draw_convergence(result: Result, file: Path) -> None:
+    """Draw the best length found in each cycle, and the exact optimum."""
+    figure = Figure(figsize=(7, 4), layout="constrained")
+    axes = figure.subplots()
+    cycles = np.arange(1, len(result.curve) + 1)
+    axes.axhline(result.optimum, color=GREEN, linestyle=":", label=f"optimum, {result.optimum:.4f}")
+    axes.plot(cycles, result.curve, color=BLUE, drawstyle="steps-mid", label="best in the cycle")
+    axes.set(
+        title=f"{result.algo} on {result.grid.name}, seed {result.seed}",
+        xlabel="cycle",
+        ylabel="path length (cells)",
+    )
+    axes.legend(frameon=False)
+    _save(figure, file)
+
+
+def _save(figure: Figure, file: Path) -> None:
+    FigureCanvasAgg(figure).print_png(str(file))

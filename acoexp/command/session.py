@@ -1,0 +1,76 @@
+"""A session: before anything runs or is written, every job is checked and the store prepared, once."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+from hydra._internal.core_plugins.basic_sweeper import BasicSweeper
+from hydra.core.global_hydra import GlobalHydra
+from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.core.override_parser.types import Override
+from hydra.errors import HydraException
+from hydra.experimental.callback import Callback
+from hydra.types import RunMode
+from omegaconf import DictConfig
+
+from acoexp.command import summary, sweep
+from acoexp.command.job import Job
+from acoexp.errors import AcoexpError, SettingsError
+
+
+class Session(Callback):
+    """Hydra's callback in the parent process; an error in it ends the program with status 1."""
+
+    def on_run_start(self, config: DictConfig, **_: Any) -> None:
+        """Check the one job."""
+        _or_exit(lambda: Job(config).tracker.prepare())
+
+    def on_multirun_start(self, config: DictConfig, **_: Any) -> None:
+        """Check all jobs, and begin to watch over them."""
+        _or_exit(lambda: _begin_sweep(config))
+
+    def on_run_end(self, config: DictConfig, **_: Any) -> None:
+        """Tell what the one job found."""
+        folder = Path(config.hydra.run.dir)
+        if (folder / "trial.json").exists():
+            summary.print_trial(folder, Job(config).tracker.where)
+
+
+def _or_exit(action: Any) -> None:
+    """Hydra turns a callback's exceptions into warnings, but lets this one through."""
+    try:
+        action()
+    except (AcoexpError, HydraException) as problem:
+        print(f"acoexp: error: {problem}", file=sys.stderr)
+        raise SystemExit(1) from problem
+
+
+def _begin_sweep(config: DictConfig) -> None:
+    loader = GlobalHydra.instance().config_loader()
+    parsed = OverridesParser.create(config_loader=loader).parse_overrides(list(config.hydra.overrides.task))
+    jobs = BasicSweeper.split_arguments(parsed, None)[0]
+    seeds = [override for override in parsed if override.key_or_group == "seed"]
+    others = [override for override in parsed if override.key_or_group != "seed"]
+    for seed in (value for override in seeds for value in _values(override)):
+        _check_seed_text(seed)
+    for combination in BasicSweeper.split_arguments(others, None)[0]:
+        job = Job(
+            loader.load_configuration(
+                "config", [*combination, *config.hydra.overrides.hydra], run_mode=RunMode.RUN
+            )
+        )
+    job.tracker.prepare()
+    sweep.begin(Path(config.hydra.sweep.dir), len(jobs), job.tracker.where)
+
+
+def _values(override: Override) -> list[str]:
+    if override.is_sweep_override():
+        return list(override.sweep_string_iterator())
+    return [override.get_value_element_as_str()]
+
+
+def _check_seed_text(text: str) -> None:
+    if not text.isdecimal():
+        raise SettingsError(f"seed: expected a whole number from 0 to 2^64 - 1; got {text!r}")

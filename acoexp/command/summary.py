@@ -1,0 +1,88 @@
+"""What a person sees at the end: a trial's features, or a sweep's table, each mean with its spread below."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+Trial = dict[str, Any]
+
+
+def finished(folder: Path) -> list[Path]:
+    """Return the records of a sweep's finished trials."""
+    return list(folder.glob("*/trial.json"))
+
+
+def print_trial(folder: Path, where: str) -> None:
+    """Print what one trial found."""
+    trial = json.loads((folder / "trial.json").read_text(encoding="utf-8"))
+    console = Console()
+    console.print(_table([[trial]], spread=False))
+    console.print(f"files: {folder}\nrun:   {where}", highlight=False, soft_wrap=True)
+
+
+def print_sweep(folder: Path, jobs: int, where: str, seconds: float) -> None:
+    """Print one row for each cell of a sweep, that is for each configuration apart from the seed."""
+    trials = [json.loads(file.read_text(encoding="utf-8")) for file in finished(folder)]
+    cells: dict[str, list[Trial]] = {}
+    for trial in sorted(trials, key=lambda t: (t["map"], t["algo"], t["cell"], t["seed"])):
+        cells.setdefault(trial["cell"], []).append(trial)
+    console = Console()
+    if cells:
+        console.print(_table(list(cells.values()), spread=True))
+    console.print(
+        f"{len(trials)} of {jobs} trials finished in {seconds:.1f} s\nfiles: {folder}\nruns:  {where}",
+        highlight=False,
+        soft_wrap=True,
+    )
+
+
+def _table(cells: Sequence[list[Trial]], spread: bool) -> Table:
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
+    varied = _varied([cell[0]["config"] for cell in cells])
+    headings = ["algo", "map", *varied, "x1", "x2", "x3", "l1", "l2", "optimum", "gap", "lost"]
+    if spread:
+        headings += ["found", "ms"]
+    for heading in headings:
+        table.add_column(heading, justify="left" if heading in ("algo", "map") else "right", no_wrap=True)
+    for cell in cells:
+        table.add_row(*_row(cell, varied, spread))
+    return table
+
+
+def _row(cell: list[Trial], varied: Sequence[str], spread: bool) -> list[str]:
+    first, optimum = cell[0], cell[0]["optimum"]
+    digits = 1 if spread else 0
+    cycles = [_mean((t[key] or None for t in cell), digits) for key in ("x1", "x2", "x3")]
+    lengths = [_mean((t[key] for t in cell), 4) for key in ("l1", "l2")]
+    gap = _mean((None if t["l1"] is None else 100.0 * (t["l1"] / optimum - 1.0) for t in cell), 2, unit=" %")
+    lost = _mean((float(sum(t["lost_ants"])) for t in cell), digits)
+    row = [first["algo"], first["map"], *(first["config"].get(key, "") for key in varied)]
+    row += [*cycles, *lengths, f"{optimum:.4f}", gap, lost]
+    if spread:
+        found = sum(t["l1_pair"] == t["optimum_pair"] for t in cell)
+        row += [f"{found}/{len(cell)}", _mean((1000.0 * t["seconds"] for t in cell), 1)]
+    return row
+
+
+def _mean(values: Iterable[float | None], digits: int, unit: str = "") -> str:
+    """Return the mean of the values that there are and, below it, the sample's standard deviation."""
+    there = np.array([value for value in values if value is not None], dtype=float)
+    if not there.size:
+        return "-"
+    mean = f"{there.mean():.{digits}f}{unit}"
+    return f"{mean}\n±{there.std(ddof=1):.{min(digits, 2)}f}{' ' * len(unit)}" if there.size > 1 else mean
+
+
+def _varied(configs: Sequence[dict[str, str]]) -> list[str]:
+    """Return the keys in which cells differ, besides algorithm and map; the parts only where both are alike."""
+    keys = sorted({key for config in configs for key in config} - {"algo", "map.name", "seed"})
+    if len({(c["algo"], c["map.name"]) for c in configs}) == len(configs):
+        return []
+    return [key for key in keys if len({config.get(key, "") for config in configs}) > 1]

@@ -1,0 +1,165 @@
+"""MLflow as the store: experiment ``acoexp``, one run per trial, written in one batch.
+
+mlflow takes over a second to import, so it is imported when a trial is to be kept and not before.
+"""
+
+from __future__ import annotations
+
+import logging
+import math
+import os
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+from functools import cache, cached_property
+from importlib.metadata import version
+from pathlib import Path
+from subprocess import DEVNULL, SubprocessError, check_output
+from typing import TYPE_CHECKING, Any
+
+from filelock import FileLock
+
+from acoexp.errors import TrackingError
+from acoexp.tracking.tracker import Trial
+
+if TYPE_CHECKING:
+    from mlflow import MlflowClient
+    from mlflow.entities import Metric
+
+EXPERIMENT = "acoexp"
+LONGEST_PARAM = 500
+"""Characters of a parameter that every MLflow store keeps; a longer one goes to an artifact."""
+LARGEST_BATCH = 1000
+"""Metrics that MLflow takes in one call."""
+
+_SQLITE = "sqlite:///"
+
+
+class MlflowTracker:
+    """Keeps trials in the MLflow store at an address."""
+
+    def __init__(self, uri: str) -> None:
+        self._file = Path(uri.removeprefix(_SQLITE)).absolute() if uri.startswith(_SQLITE) else None
+        self.uri = uri if self._file is None else f"{_SQLITE}{self._file}"
+        self.where = f"MLflow experiment {EXPERIMENT!r} at {uri}"
+
+    def prepare(self) -> None:
+        """Create the store and the experiment if they are not there.
+
+        Raises:
+            TrackingError: if the store cannot be reached or written.
+        """
+        with self._reporting("cannot be opened"):
+            if self._file is not None:
+                self._file.parent.mkdir(parents=True, exist_ok=True)
+            # several processes that migrate one fresh database at once all fail
+            lock = FileLock(f"{self._file}.lock") if self._file is not None else nullcontext()
+            with lock:
+                if self._client.get_experiment_by_name(EXPERIMENT) is None:
+                    self._client.create_experiment(EXPERIMENT, self._artifacts())
+                if self._file is not None and not os.access(self._file, os.W_OK):
+                    raise PermissionError(f"{self._file} is read-only")
+
+    def log(self, trial: Trial) -> None:
+        """Keep one trial as one run.
+
+        Raises:
+            TrackingError: if the store does not take it; the run is then marked as failed.
+        """
+        from mlflow.entities import Param, RunTag
+
+        result, params = trial.result, trial.params
+        long = {key: value for key, value in params.items() if len(value) > LONGEST_PARAM}
+        kept = [Param(key, value) for key, value in params.items() if key not in long]
+        tags = [RunTag(key, value) for key, value in _tags(trial).items()]
+        now = int(time.time() * 1000)
+        metrics = list(_metrics(trial, now))
+        with self._reporting("does not take a trial"):
+            name = f"{result.algo} {result.grid.name} seed {result.seed}"
+            run = self._client.create_run(self._experiment_id, start_time=now, run_name=name)
+            try:
+                self._client.log_batch(run.info.run_id, metrics[:LARGEST_BATCH], kept, tags)
+                for first in range(LARGEST_BATCH, len(metrics), LARGEST_BATCH):
+                    self._client.log_batch(run.info.run_id, metrics[first : first + LARGEST_BATCH])
+                for key, value in long.items():
+                    self._client.log_text(run.info.run_id, value, f"params/{key}.txt")
+                self._client.set_terminated(run.info.run_id, "FINISHED")
+            except BaseException:
+                self._client.set_terminated(run.info.run_id, "FAILED")
+                raise
+
+    @cached_property
+    def _client(self) -> MlflowClient:
+        logging.getLogger("alembic").setLevel(logging.WARNING)
+        from mlflow import MlflowClient
+
+        logging.getLogger("mlflow").setLevel(logging.WARNING)
+        return MlflowClient(self.uri)
+
+    @cached_property
+    def _experiment_id(self) -> str:
+        experiment = self._client.get_experiment_by_name(EXPERIMENT)
+        if experiment is None:
+            raise TrackingError(f"tracking.uri: no experiment {EXPERIMENT!r} at {self.uri}")
+        return str(experiment.experiment_id)
+
+    def _artifacts(self) -> str | None:
+        """Return where artifacts go: beside a local database, else wherever the server puts them."""
+        if self.uri.startswith(("http:", "https:")):
+            return None
+        folder = self._file.parent if self._file is not None else Path("outputs").absolute()
+        return (folder / "artifacts").as_uri()
+
+    @contextmanager
+    def _reporting(self, what: str) -> Iterator[None]:
+        """Turn whatever MLflow, SQLAlchemy or the system raise into one error of ours."""
+        try:
+            yield
+        except TrackingError:
+            raise
+        except Exception as problem:
+            reason = next(iter(str(problem).strip().splitlines()), type(problem).__name__)
+            raise TrackingError(
+                f"tracking.uri: expected an MLflow store that can be written; {self.uri} {what}: {reason}"
+            ) from problem
+
+
+def _metrics(trial: Trial, now: int) -> Iterator[Metric]:
+    from mlflow.entities import Metric
+
+    result = trial.result
+    values: dict[str, float] = {
+        "x1": result.x1,
+        "x2": result.x2,
+        "x3": result.x3,
+        "l1": result.l1,
+        "l2": result.l2,
+        "optimum": result.optimum,
+        "lost_ants": float(result.lost_ants.sum()),
+    }
+    undefined = {key for key in ("x1", "x2", "x3") if values[key] == 0}
+    undefined |= {key for key, value in values.items() if math.isnan(value)}
+    for key in values.keys() - undefined:
+        yield Metric(key, values[key], now, 0)
+    for cycle, length in enumerate(result.curve.tolist(), 1):
+        if not math.isnan(length):
+            yield Metric("best_length", length, now, cycle)
+
+
+def _tags(trial: Trial) -> dict[str, str]:
+    tags = {
+        "map.digest": trial.result.grid.digest,
+        "cell": trial.cell,
+        "acoexp.version": version("acoexp"),
+    }
+    commit = _git_commit()
+    return {**tags, "mlflow.source.git.commit": commit} if commit else tags
+
+
+@cache
+def _git_commit() -> str | None:
+    """Return the commit of the working directory, if it is in a repository."""
+    try:
+        return check_output(["git", "rev-parse", "HEAD"], stderr=DEVNULL, text=True, timeout=5).strip()
+    except (OSError, SubprocessError):
+        return None
