@@ -1,8 +1,8 @@
 """acoexp: experiments with ant-colony path planning of mobile robots on occupancy grids.
 
-    >>> import acoexp
-    >>> acoexp.solve("env2", algo="pdg", seed=0).length
-    35.071...
+>>> import acoexp
+>>> acoexp.solve("env2", algo="pdg", seed=0).length
+35.071...
 """
 
 from acoexp.api import solve, solve_many

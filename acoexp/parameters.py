@@ -1,8 +1,8 @@
 """Parameters: declared once on a frozen dataclass, then read by validation, Hydra, ``--help`` and docs alike.
 
-    @dataclass(frozen=True, kw_only=True)
-    class Gaussian(Diffusion):
-        gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
+@dataclass(frozen=True, kw_only=True)
+class Gaussian(Diffusion):
+    gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
 """
 
 from __future__ import annotations

@@ -132,9 +132,7 @@ class Solver:
     def _run(self, workspace: Workspace, record: Record, seed: np.uint64) -> int:
         w = workspace
         with np.errstate(over="ignore"):  # uint64 wraps around on purpose, which matters without the JIT
-            return int(
-                self._loop(w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed)
-            )
+            return int(self._loop(w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed))
 
     def _compile(self, kernels: tuple[Any, ...]) -> None:
         w = self._new_workspace()
@@ -179,7 +177,9 @@ class Solver:
             name = self.settings.names["heuristic"]
             raise StrategyError(f"heuristic {name!r}: expected eta to be finite and at least 0 on every move")
         with np.errstate(over="ignore"):
-            desirability = np.minimum(np.power(eta, problem.settings.beta, where=allowed, out=np.zeros(eta.shape)), DESIRABILITY_LIMIT)
+            desirability = np.minimum(
+                np.power(eta, problem.settings.beta, where=allowed, out=np.zeros(eta.shape)), DESIRABILITY_LIMIT
+            )
         return problem.per_edge(desirability, border=0.0)
 
     def _initial_pheromone(self, problem: Problem) -> NDArray[np.float64]:

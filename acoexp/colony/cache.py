@@ -46,7 +46,8 @@ def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) 
     """
     if not hasattr(loop, "signatures"):  # NUMBA_DISABLE_JIT
         return
-    signature = tuple(numba.typeof(argument) for argument in example)
+    typeof: Any = numba.typeof
+    signature = tuple(typeof(argument) for argument in example)
     if signature in loop.overloads:
         return
     folder = _usable_folder(kernels)
@@ -59,7 +60,7 @@ def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) 
         loop.compile(signature)
 
 
-class KernelCache(_Cache):  # type: ignore[misc]
+class KernelCache(_Cache):
     """Keeps compiled functions as files ``checksum + pickle``, one per signature, in a given folder."""
 
     def __init__(self, folder: Path) -> None:
@@ -86,7 +87,8 @@ class KernelCache(_Cache):  # type: ignore[misc]
             log.warning("a file of the kernel cache is damaged and is made anew")
             return None
         target_context.refresh()
-        return CompileResult._rebuild(target_context, *pickle.loads(payload))
+        rebuild: Any = CompileResult._rebuild
+        return rebuild(target_context, *pickle.loads(payload))
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep a compiled function; if that fails, say so and go on without."""

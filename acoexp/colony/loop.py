@@ -140,7 +140,7 @@ def _leave_as_walked(colony: Any, own: Any, raw: Any, final: Any, ant: Any, cell
 
 
 def _polish_by(optimise: Kernel) -> Kernel:
-    """Return a kernel that optimises one ant's path from ``raw`` into ``final``; False if the result is no path."""
+    """Return a kernel that optimises one ant's path from ``raw`` into ``final``; False if that is no path."""
 
     @compiled
     def polish(colony: Any, own: Any, raw: Any, final: Any, ant: Any, cells: Any) -> Any:

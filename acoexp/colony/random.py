@@ -31,7 +31,7 @@ def seed_stream(state: Any, seed: Any) -> None:
 
 
 @compiled
-def uniform(state: Any) -> float:
+def uniform(state: Any) -> Any:
     """Draw a float64 in [0, 1), a multiple of 2^-53, and advance ``state`` (uint64[4])."""
     s0, s1, s2, s3 = state[0], state[1], state[2], state[3]
     total = s0 + s3

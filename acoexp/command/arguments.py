@@ -40,7 +40,7 @@ def normalise(argv: list[str]) -> Arguments:
     for flag, value in (("--config-path", flags.config_path), ("--config-name", flags.config_name)):
         if value is not None:
             raise SettingsError(
-                f"{flag}: expected overrides, or options of your own in a folder given by --config-dir; got {value!r}"
+                f"{flag}: expected overrides, or a folder with options of your own by --config-dir; got {value!r}"
             )
     overrides = [_expand(override) for override in flags.overrides]
     runs = not (flags.cfg or flags.info or flags.help or flags.hydra_help or flags.shell_completion)

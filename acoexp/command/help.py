@@ -39,7 +39,9 @@ Hydra's own flags. Completion: eval "$$(acoexp -sc install=bash)"
 
 
 def _presets() -> str:
-    return _section("algo", "a preset over the five parts below", {n: find_preset(n).summary for n in preset_names()})
+    return _section(
+        "algo", "a preset over the five parts below", {n: find_preset(n).summary for n in preset_names()}
+    )
 
 
 def _group(group: str) -> str:

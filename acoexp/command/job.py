@@ -93,7 +93,7 @@ def _load(source: Any) -> Grid:
 
 
 def _plain(config: DictConfig) -> dict[str, Any]:
-    ours = [key for key in config if key != "hydra"]
+    ours = [str(key) for key in config if key != "hydra"]
     try:
         plain = OmegaConf.to_container(OmegaConf.masked_copy(config, ours), resolve=True)
     except OmegaConfBaseException as problem:

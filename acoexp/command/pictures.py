@@ -59,4 +59,5 @@ def draw_convergence(result: Result, file: Path) -> None:
 
 
 def _save(figure: Figure, file: Path) -> None:
-    FigureCanvasAgg(figure).print_png(str(file))
+    FigureCanvasAgg(figure)
+    figure.savefig(file)

@@ -81,9 +81,7 @@ class Grid:
                     f"({rows - 1}, {cols - 1})"
                 )
             if self.obstacles[row, col]:
-                raise MapError(
-                    f"map {self.name}: {key} ({row}, {col}) is an obstacle; expected a free cell"
-                )
+                raise MapError(f"map {self.name}: {key} ({row}, {col}) is an obstacle; expected a free cell")
         if self.start == self.goal:
             raise MapError(f"map {self.name}: start and goal are one cell, {self.start}; expected two")
         if self.shortest_path is None:

@@ -21,7 +21,7 @@ def shortest_path(grid: Grid) -> NDArray[np.int64] | None:
     Ties between paths of the same length are broken by the solver. The lengths of two different pairs
     (straight, diagonal) differ by far more than the rounding of their sums, so the optimum is exact.
     """
-    rows, cols = grid.shape
+    _, cols = grid.shape
     start, goal = (row * cols + col for row, col in (grid.start, grid.goal))
     _, before = dijkstra(_move_graph(grid), indices=start, return_predecessors=True)
     if before[goal] < 0:

@@ -15,7 +15,7 @@ from functools import cache, cached_property
 from importlib.metadata import version
 from pathlib import Path
 from subprocess import DEVNULL, SubprocessError, check_output
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from filelock import FileLock
 

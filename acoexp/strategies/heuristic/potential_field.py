@@ -30,4 +30,5 @@ class ForceGuided(GoalDistance):
         force = problem.field.force
         strength = np.hypot(force[..., 0], force[..., 1])[..., None]
         cosine = force @ ahead / np.where(strength == 0.0, 1.0, strength)
-        return super().eta(problem) * np.exp(self.guidance * cosine)
+        factor: NDArray[np.float64] = np.exp(self.guidance * cosine)
+        return super().eta(problem) * factor
