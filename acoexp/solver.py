@@ -22,7 +22,7 @@ from acoexp.result import Result
 from acoexp.settings import Settings, check_seed
 
 DESIRABILITY_LIMIT = 1e200
-"""eta^beta is cut off here; with tau^alpha cut off at 10^100, no sum of weights overflows."""
+"""eta^beta is cut off here: with pheromone's own bound, no sum of weights overflows."""
 
 _loop = lru_cache(maxsize=None)(make_loop)
 
@@ -144,7 +144,7 @@ class Solver:
             raise
         except Exception as problem:
             names = ", ".join(f"{group}={name}" for group, name in self.settings.names.items())
-            raise StrategyError(f"the colony ({names}) cannot be compiled: {problem}") from problem
+            raise StrategyError(f"the colony ({names}) cannot be compiled: {_gist(problem)}") from problem
 
     def _new_workspace(self) -> Workspace:
         colony = new_colony(self._problem, self._desirability)
@@ -207,6 +207,14 @@ def _restore(own: Own, pristine: Own) -> None:
         for value, original in zip(state, prepared, strict=True):
             if isinstance(value, np.ndarray) and value.flags.writeable:
                 np.copyto(value, original)
+
+
+def _gist(problem: Exception) -> str:
+    """Return what a compiler's error says, and where, without the way it got there."""
+    lines = [line.strip() for line in str(problem).splitlines() if line.strip()]
+    says = next((line for line in lines if not line.startswith("Failed in nopython")), type(problem).__name__)
+    where = next((line for line in lines if line.startswith("File ")), "")
+    return f"{says} {where}".strip()
 
 
 def _check_threads(threads: int | None) -> int:

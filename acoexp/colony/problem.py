@@ -23,8 +23,12 @@ class ColonySettings:
     rho: float = parameter(0.5, "share of the pheromone that evaporates in a cycle", minimum=0.0, maximum=1.0)
     ants: int = parameter(10, "ants that walk in a cycle", minimum=1, maximum=100_000)
     iterations: int = parameter(200, "cycles in a trial", minimum=1, maximum=1_000_000)
-    q: float = parameter(1.0, "pheromone that an ant spreads over its path; not in the paper", above=0.0)
-    tau0: float = parameter(1.0, "pheromone on every edge at the start; not in the paper", above=0.0)
+    q: float = parameter(
+        1.0, "pheromone that an ant spreads over its path; not in the paper", minimum=1e-100, maximum=1e100
+    )
+    tau0: float = parameter(
+        1.0, "pheromone on every edge at the start; not in the paper", minimum=1e-100, maximum=1e100
+    )
     pheromone: str = parameter("edges", "where pheromone lies (Eqs 18, 19 speak of edges)", choices=("edges",))
     order: str = parameter("in_turn", "how the ants of a cycle walk: one after another", choices=("in_turn",))
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from acoexp.colony.pheromone import HIGHEST_POWER
 from acoexp.colony.problem import Problem
 from acoexp.grid import DIRECTIONS
 
@@ -54,6 +55,7 @@ class Colony(NamedTuple):
         desirability: float64[edges], eta^beta; 0 where a move is not allowed.
         alpha, beta, rho, q, tau0: The settings.
         ants, iterations: The settings.
+        highest_stored: What ``stored`` may not exceed, lest a weight overflow.
         stored: * float64[edges], pheromone divided by ``scale``; read it by ``level``.
         scale: * float64[1], the factor that all evaporation so far amounts to.
         weight: * float64[edges], stored^alpha * desirability, finite; negative where it waits to be recomputed.
@@ -78,6 +80,7 @@ class Colony(NamedTuple):
     tau0: float
     ants: int
     iterations: int
+    highest_stored: float
     stored: NDArray[np.float64]
     scale: NDArray[np.float64]
     weight: NDArray[np.float64]
@@ -135,6 +138,7 @@ def new_colony(problem: Problem, desirability: NDArray[np.float64]) -> Colony:
         tau0=settings.tau0,
         ants=settings.ants,
         iterations=settings.iterations,
+        highest_stored=HIGHEST_POWER ** (1.0 / max(settings.alpha, 1.0)),
         stored=np.empty(cells * 8),
         scale=np.ones(1),
         weight=np.empty(cells * 8),
