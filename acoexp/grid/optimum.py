@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array
-from scipy.sparse.csgraph import dijkstra
 
 from acoexp.grid.moves import DIRECTIONS, SQRT2
 
 if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
     from acoexp.grid.grid import Grid
 
 
@@ -21,6 +21,8 @@ def shortest_path(grid: Grid) -> NDArray[np.int64] | None:
     Ties between paths of the same length are broken by the solver. The lengths of two different pairs
     (straight, diagonal) differ by far more than the rounding of their sums, so the optimum is exact.
     """
+    from scipy.sparse.csgraph import dijkstra  # a quarter of what --help would cost
+
     _, cols = grid.shape
     start, goal = (row * cols + col for row, col in (grid.start, grid.goal))
     _, before = dijkstra(_move_graph(grid), indices=start, return_predecessors=True)
@@ -34,6 +36,8 @@ def shortest_path(grid: Grid) -> NDArray[np.int64] | None:
 
 def _move_graph(grid: Grid) -> csr_array:
     """Return the allowed moves as a sparse matrix of lengths, cell by cell."""
+    from scipy.sparse import csr_array
+
     rows, cols = grid.shape
     table = grid.allowed.ravel()
     sources, targets, lengths = [], [], []
