@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
 from acoexp.result import Result
 
@@ -18,7 +19,7 @@ def draw_map(result: Result, file: Path) -> None:
     """Draw the map with the returned path, and with the path as it was walked if that differs."""
     grid = result.grid
     rows, cols = grid.shape
-    figure = Figure(figsize=(6, 6 * (rows + 2) / (cols + 1)), layout="constrained")
+    figure = Figure(figsize=(6, min(max(5.4 * rows / cols, 1.5), 16) + 1.2), layout="constrained")
     axes = figure.subplots()
     axes.imshow(grid.obstacles, cmap="Greys", vmin=0, vmax=1.6, interpolation="nearest")
     if max(rows, cols) <= 64:
@@ -31,6 +32,8 @@ def draw_map(result: Result, file: Path) -> None:
     if result.path is not None:
         label = f"path, {result.length:.4f}"
         axes.plot(*result.path.T[::-1], color=BLUE, linewidth=2.5, label=label)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator(integer=True))
     axes.plot(*grid.start[::-1], "o", color=GREEN, label="start")
     axes.plot(*grid.goal[::-1], "*", color=GREEN, markersize=12, label="goal")
     axes.set(
@@ -48,12 +51,18 @@ def draw_convergence(result: Result, file: Path) -> None:
     axes = figure.subplots()
     cycles = np.arange(1, len(result.curve) + 1)
     axes.axhline(result.optimum, color=GREEN, linestyle=":", label=f"optimum, {result.optimum:.4f}")
-    axes.plot(cycles, result.curve, color=BLUE, drawstyle="steps-mid", label="best in the cycle")
+    axes.plot(cycles, result.curve, color=BLUE, label="best in the cycle")
+    for cycle, length, name, marker in ((result.x1, result.l1, "x1", "o"), (result.x3, result.l2, "x3", "s")):
+        if cycle > 0:
+            label = f"{name} = {cycle}, {length:.4f}"
+            axes.plot(cycle, length, marker, color=ORANGE, fillstyle="none", markersize=9, label=label)
     axes.set(
         title=f"{result.algo} on {result.grid.name}, seed {result.seed}",
-        xlabel="cycle",
+        xlabel="cycle (log scale)",
+        xscale="log",
         ylabel="path length (cells)",
     )
+    axes.xaxis.set_major_formatter(ScalarFormatter())
     axes.legend(frameon=False)
     _save(figure, file)
 
