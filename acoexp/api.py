@@ -87,4 +87,4 @@ def as_grid(
     if isinstance(map, str):
         grid: Grid = build(registry.find("map", map), {}, "map.").load()
         return grid
-    return Grid(map, start=start, goal=goal, moves=moves or "no_squeeze")
+    return Grid(map, start=start, goal=goal, moves="no_squeeze" if moves is None else moves)

@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 from acoexp.grid import Grid
 from acoexp.parameters import parameter
 
+_ROUNDING = 1e-12
+"""Forces that cancel leave this share of themselves; its direction would be made of rounding."""
+
 NO_DIRECTION = 8
 """Sector of a cell on which no force acts."""
 
@@ -22,8 +25,10 @@ NO_DIRECTION = 8
 class FieldSettings:
     """The constants of Eqs 2 and 3; the paper does not give them."""
 
-    attraction: float = parameter(1.0, "gain K_a of the goal's pull, per cell of distance (Eq. 2)", minimum=0.0)
-    repulsion: float = parameter(25.0, "gain K_r of the obstacles' push (Eq. 3)", minimum=0.0)
+    attraction: float = parameter(
+        1.0, "gain K_a of the goal's pull, per cell of distance (Eq. 2)", minimum=0.0, maximum=1e6
+    )
+    repulsion: float = parameter(25.0, "gain K_r of the obstacles' push (Eq. 3)", minimum=0.0, maximum=1e6)
     reach: float = parameter(4.0, "distance rho_0 in cells beyond which obstacles do not push", above=0.0)
     obstacles: str = parameter(
         "sum", "obstacle cells that push: the sum over all in reach (Eq. 4)", choices=("sum",)
@@ -45,8 +50,11 @@ class PotentialField:
 
 def potential_field(grid: Grid, settings: FieldSettings) -> PotentialField:
     """Compute the field of a map, once for all trials on it."""
-    force = _attraction(grid, settings.attraction) + _repulsion(grid, settings)
-    force[grid.obstacles] = 0.0
+    pull, (push, gross) = _attraction(grid, settings.attraction), _repulsion(grid, settings)
+    force = pull + push
+    gross += np.hypot(pull[..., 0], pull[..., 1])
+    cancels = np.hypot(force[..., 0], force[..., 1]) <= _ROUNDING * gross
+    force[cancels | grid.obstacles] = 0.0
     return PotentialField(force, sectors(force))
 
 
@@ -67,19 +75,22 @@ def _attraction(grid: Grid, gain: float) -> NDArray[np.float64]:
     return gain * np.stack([grid.goal[1] - col, row - grid.goal[0]], axis=-1).astype(np.float64)
 
 
-def _repulsion(grid: Grid, settings: FieldSettings) -> NDArray[np.float64]:
-    """Return the push of all obstacle cells in reach, -grad U_rep of Eq. 3 (its cases in the right order)."""
+def _repulsion(grid: Grid, settings: FieldSettings) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the push of all obstacle cells in reach, -grad U_rep of Eq. 3 (its cases in the right order).
+
+    And what the pushes' strengths add up to, whatever their directions.
+    """
     rows, cols = grid.shape
-    margin = int(settings.reach)
+    margin = min(int(settings.reach), max(rows, cols))
     around = np.pad(grid.obstacles, margin)
-    force = np.zeros((rows, cols, 2))
+    force, gross = np.zeros((rows, cols, 2)), np.zeros((rows, cols))
     for down in range(-margin, margin + 1):
         for right in range(-margin, margin + 1):
             distance = float(np.hypot(down, right))
             if not 0.0 < distance <= settings.reach:
                 continue
             strength = settings.repulsion * (1.0 / distance - 1.0 / settings.reach) / distance**2
-            away = strength * np.array([-right, down]) / distance
             there = around[margin + down : margin + down + rows, margin + right : margin + right + cols]
-            force[there] += away
-    return force
+            force[there] += strength * np.array([-right, down]) / distance
+            gross[there] += strength
+    return force, gross

@@ -8,10 +8,12 @@ class Gaussian(Diffusion):
 from __future__ import annotations
 
 import dataclasses
-import math
+import sys
 import typing
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 from acoexp.errors import SettingsError
 
@@ -82,7 +84,7 @@ def expected(hint: Any, field: dataclasses.Field[Any]) -> str:
     kinds = [k for k in (typing.get_args(hint) or (hint,)) if k is not type(None)]
     words = nouns.get(kinds[0], "a pair [row, column]")
     if rules["minimum"] is not None and rules["maximum"] is not None:
-        return f"{words} from {rules['minimum']:g} to {rules['maximum']:g}"
+        return f"{words} from {_shown(rules['minimum'])} to {_shown(rules['maximum'])}"
     if rules["minimum"] is not None:
         return f"{words}, at least {rules['minimum']:g}"
     if rules["above"] is not None:
@@ -99,29 +101,37 @@ def _checked(key: str, value: Any, hint: Any, field: dataclasses.Field[Any]) -> 
     kind = next((k for k in kinds if k is not type(None)), hint)
     converted = _converted(value, kind)
     if converted is None or not _within(converted, field.metadata):
-        came = "nothing" if value is None or value == REQUIRED else repr(value)
+        came = "nothing" if value is None or _is_missing(value) else repr(value)
         raise SettingsError(f"{key}: expected {expected(hint, field)}; got {came}")
     return converted
 
 
 def _converted(value: Any, kind: Any) -> Any:
     """Return ``value`` as ``kind``, or None where that would change what it says."""
-    if value == REQUIRED and isinstance(value, str):
+    if _is_missing(value):
         return None
     if typing.get_origin(kind) is tuple:
         return _pair(value)
-    if kind is float and not isinstance(value, bool) and isinstance(value, int | float):
-        return float(value) if math.isfinite(value) else None
-    if hasattr(value, "item") and kind in (int, float):  # a NumPy scalar
+    if isinstance(value, np.generic):
         return _converted(value.item(), kind)
+    if kind is float and not isinstance(value, bool) and isinstance(value, int | float):
+        return float(value) if abs(value) <= sys.float_info.max else None
     if kind is int and (isinstance(value, bool) or not isinstance(value, int)):
         return None
     return value if isinstance(value, kind) else None
 
 
+def _shown(bound: float) -> str:
+    return f"{bound:.0f}" if 1.0 <= bound < 1e7 and bound == int(bound) else f"{bound:g}"
+
+
+def _is_missing(value: Any) -> bool:
+    return isinstance(value, str) and value == REQUIRED
+
+
 def _pair(value: Any) -> tuple[int, int] | None:
     """Return a cell as a tuple (row, col) of whole numbers, or None."""
-    if isinstance(value, str) or not hasattr(value, "__len__") or len(value) != 2:
+    if not isinstance(value, Sequence | np.ndarray) or isinstance(value, str) or len(value) != 2:
         return None
     row, col = (_converted(part, int) for part in value)
     return None if row is None or col is None else (row, col)

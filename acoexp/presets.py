@@ -45,8 +45,7 @@ def preset_names() -> list[str]:
     return sorted(path.stem for path in (conf_dir() / "algo").glob("*.yaml"))
 
 
-@cache
-def find_preset(name: str) -> Preset:
+def find_preset(name: Any) -> Preset:
     """Return a preset by name.
 
     Raises:
@@ -54,6 +53,11 @@ def find_preset(name: str) -> Preset:
     """
     if name not in preset_names():
         raise SettingsError(f"algo: expected one of: {', '.join(preset_names())}; got {name!r}")
+    return _read(name)
+
+
+@cache
+def _read(name: str) -> Preset:
     text = (conf_dir() / "algo" / f"{name}.yaml").read_text(encoding="utf-8")
     content = yaml.safe_load(text)
     overrides = (item for entry in content["defaults"] if isinstance(entry, dict) for item in entry.items())

@@ -5,14 +5,25 @@ A part is never imported before it is asked for, so one broken package harms nob
 
 from __future__ import annotations
 
+from dataclasses import is_dataclass
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 from acoexp.errors import SettingsError, StrategyError
+from acoexp.maps.source import MapSource
+from acoexp.strategies.part import Choice, Diffusion, Heuristic, Post, Update
 
-STRATEGY_GROUPS = ("heuristic", "choice", "diffusion", "post", "update")
-"""The five parts of a colony, in the order in which an ant meets them."""
+STRATEGIES: dict[str, type] = {
+    "heuristic": Heuristic,
+    "choice": Choice,
+    "diffusion": Diffusion,
+    "post": Post,
+    "update": Update,
+}
+"""The five parts of a colony, in the order in which an ant meets them, and what each has to be."""
+
+STRATEGY_GROUPS = tuple(STRATEGIES)
 
 GROUPS = (*STRATEGY_GROUPS, "map", "report")
 """All groups; the entry points of group ``g`` stand under ``acoexp.g``."""
@@ -42,24 +53,34 @@ def names(group: str) -> list[str]:
     return list(entries(group))
 
 
-@cache
-def find(group: str, name: str) -> Any:
+def find(group: str, name: Any) -> Any:
     """Return the class registered as ``name`` in ``group``.
 
     Raises:
         SettingsError: if there is no such name.
         StrategyError: if its package cannot be imported.
     """
-    entry = entries(group).get(name)
-    if entry is None:
+    if not isinstance(name, str) or name not in entries(group):
         raise SettingsError(f"{group}: expected one of: {', '.join(names(group))}; got {name!r}")
+    return _load(entries(group)[name], group)
+
+
+@cache
+def _load(entry: EntryPoint, group: str) -> Any:
     try:
-        return entry.load()
+        part = entry.load()
     except Exception as problem:
         raise StrategyError(
-            f"{group} {name!r} of package {_package(entry)} cannot be imported from {entry.value}: "
+            f"{group} {entry.name!r} of package {_package(entry)} cannot be imported from {entry.value}: "
             f"{type(problem).__name__}: {problem}"
         ) from problem
+    kind = {**STRATEGIES, "map": MapSource}.get(group, object)
+    if not (isinstance(part, type) and is_dataclass(part) and issubclass(part, kind)):
+        raise StrategyError(
+            f"{group} {entry.name!r} of package {_package(entry)}: expected {entry.value} to be a dataclass that "
+            f"derives from {kind.__name__}; got {part!r}"
+        )
+    return part
 
 
 def _package(entry: EntryPoint) -> str:

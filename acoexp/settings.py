@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from operator import index
 from typing import Any
 
 from acoexp import registry
@@ -12,14 +13,9 @@ from acoexp.errors import SettingsError
 from acoexp.field import FieldSettings
 from acoexp.parameters import build, fields_of
 from acoexp.presets import CUSTOM, find_preset
-from acoexp.registry import STRATEGY_GROUPS
-from acoexp.strategies import Choice, Diffusion, Heuristic, Post, Update
+from acoexp.registry import STRATEGIES, STRATEGY_GROUPS
 
 HIGHEST_SEED = 2**64 - 1
-
-_KINDS: dict[str, type] = {
-    "heuristic": Heuristic, "choice": Choice, "diffusion": Diffusion, "post": Post, "update": Update,
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -41,7 +37,7 @@ class Settings:
     names: dict[str, str]
 
 
-def resolve(algo: str, values: Mapping[str, Any]) -> Settings:
+def resolve(algo: Any, values: Mapping[str, Any]) -> Settings:
     """Resolve settings.
 
     Args:
@@ -77,15 +73,18 @@ def check_seed(seed: Any) -> int:
     Raises:
         SettingsError: if it is not one.
     """
-    whole = not isinstance(seed, bool) and hasattr(seed, "__index__")
-    if not whole or not 0 <= seed.__index__() <= HIGHEST_SEED:
+    try:
+        whole = -1 if isinstance(seed, bool) else index(seed)
+    except TypeError:
+        whole = -1
+    if not 0 <= whole <= HIGHEST_SEED:
         raise SettingsError(f"seed: expected a whole number from 0 to 2^64 - 1; got {seed!r}")
-    return int(seed)
+    return whole
 
 
 def _part(group: str, given: Any, preset_name: str) -> tuple[str, Any]:
     """Return a part's name and the part itself."""
-    if isinstance(given, _KINDS[group]):
+    if isinstance(given, STRATEGIES[group]):
         return _registered_name(group, type(given)), given
     if isinstance(given, str):
         given = {"name": given}
@@ -97,7 +96,7 @@ def _part(group: str, given: Any, preset_name: str) -> tuple[str, Any]:
 
 def _mapping(key: str, given: Any) -> Mapping[str, Any]:
     if not isinstance(given, Mapping):
-        part = f", a name or a {_KINDS[key].__name__} object" if key in _KINDS else ""
+        part = f", a name or a {STRATEGIES[key].__name__} object" if key in STRATEGIES else ""
         raise SettingsError(f"{key}: expected a mapping of parameters{part}; got {given!r}")
     return given
 

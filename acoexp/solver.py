@@ -52,9 +52,9 @@ class Solver:
         parts = settings.parts
         problem = Problem(grid, settings.scalars, settings.field)
         self._problem = problem
-        self._desirability = self._weigh_moves(problem)
-        self._initial = self._initial_pheromone(problem)
-        self._own = Own(*(parts[group].prepare(problem) for group in Own._fields))
+        self._desirability = self._weigh_moves()
+        self._initial = self._initial_pheromone()
+        self._own = Own(*(self._ask(group, "prepare") for group in Own._fields))
         self._has_post = parts["post"].kernel is not None
         kernels = tuple(parts[group].kernel for group in Own._fields)
         self._loop = _loop(*kernels)
@@ -82,6 +82,8 @@ class Solver:
             SettingsError: for a seed or a number of threads that is not one.
             StrategyError: if a part broke its contract.
         """
+        if not isinstance(seeds, Iterable):
+            raise SettingsError(f"seeds: expected whole numbers, such as range(10); got {seeds!r}")
         checked = [check_seed(seed) for seed in seeds]
         workers = min(_check_threads(threads), max(1, len(checked)))
         idle: SimpleQueue[Workspace] = SimpleQueue()
@@ -168,26 +170,44 @@ class Solver:
         self.grid.measure(path)
         return path
 
-    def _weigh_moves(self, problem: Problem) -> NDArray[np.float64]:
-        """Return eta^beta, float64[edges], 0 where a move is not allowed."""
-        heuristic = self.settings.parts["heuristic"]
-        allowed = problem.allowed_edges()
-        eta = np.broadcast_to(np.asarray(heuristic.eta(problem), dtype=np.float64), allowed.shape)
-        if not (np.isfinite(eta[allowed]).all() and (eta[allowed] >= 0.0).all()):
-            name = self.settings.names["heuristic"]
-            raise StrategyError(f"heuristic {name!r}: expected eta to be finite and at least 0 on every move")
-        with np.errstate(over="ignore"):
-            desirability = np.minimum(
-                np.power(eta, problem.settings.beta, where=allowed, out=np.zeros(eta.shape)), DESIRABILITY_LIMIT
-            )
-        return problem.per_edge(desirability, border=0.0)
+    def _ask(self, group: str, method: str) -> Any:
+        """Call a part's method with the problem; what goes wrong there is told with the part's name."""
+        try:
+            return getattr(self.settings.parts[group], method)(self._problem)
+        except AcoexpError:
+            raise
+        except Exception as problem:
+            raise StrategyError(
+                f"{group} {self.settings.names[group]!r} failed in {method}: {type(problem).__name__}: {problem}"
+            ) from problem
 
-    def _initial_pheromone(self, problem: Problem) -> NDArray[np.float64]:
+    def _weigh_moves(self) -> NDArray[np.float64]:
+        """Return eta^beta, float64[edges], 0 where a move is not allowed."""
+        allowed = self._problem.allowed_edges()
+        eta = self._per_move("heuristic", "eta", allowed)
+        with np.errstate(over="ignore"):
+            power = np.power(eta, self.settings.scalars.beta, where=allowed, out=np.zeros(eta.shape))
+        return self._problem.per_edge(np.minimum(power, DESIRABILITY_LIMIT), border=0.0)
+
+    def _initial_pheromone(self) -> NDArray[np.float64]:
         """Return the initial pheromone, float64[1] or float64[edges]."""
-        initial = np.asarray(self.settings.parts["update"].initial(problem), dtype=np.float64)
-        if initial.ndim == 0:
-            return initial.reshape(1)
-        return problem.per_edge(np.broadcast_to(initial, (*self.grid.shape, 8)), border=0.0)
+        initial = self._per_move("update", "initial", self._problem.allowed_edges())
+        if initial.strides == (0, 0, 0):  # one level, broadcast
+            return initial[0, 0, :1].copy()
+        return self._problem.per_edge(initial, border=0.0)
+
+    def _per_move(self, group: str, method: str, allowed: NDArray[np.bool_]) -> NDArray[np.float64]:
+        """Ask a part for a number per move, float64[rows, cols, 8], and check it."""
+        given = self._ask(group, method)
+        problem = f"{group} {self.settings.names[group]!r}: expected {method} to return numbers"
+        try:
+            values = np.broadcast_to(np.asarray(given, dtype=np.float64), allowed.shape)
+        except (TypeError, ValueError) as reason:
+            came = f"{type(given).__name__} of shape {np.shape(given)}"
+            raise StrategyError(f"{problem} of a shape that broadcasts to {allowed.shape}; got {came}") from reason
+        if not (np.isfinite(values[allowed]).all() and (values[allowed] >= 0.0).all()):
+            raise StrategyError(f"{problem} that are finite, and at least 0, on every move; got others")
+        return values
 
 
 def _new_record(iterations: int) -> Record:
@@ -220,6 +240,6 @@ def _gist(problem: Exception) -> str:
 def _check_threads(threads: int | None) -> int:
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+    if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
         raise SettingsError(f"threads: expected a whole number, at least 1; got {threads!r}")
-    return threads
+    return int(threads)

@@ -53,9 +53,13 @@ def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) 
     folder = _usable_folder(kernels)
     if folder is not None:
         loop._cache = KernelCache(folder)
-    missing = folder is None or not loop._cache.file_of(signature).exists()
-    with FileLock(folder / "lock") if missing and folder is not None else nullcontext():
-        if missing:
+        if loop._cache.file_of(signature).exists():
+            loop.compile(signature)
+            return
+    with FileLock(folder / "lock") if folder is not None else nullcontext():
+        if folder is None:
+            log.info("compiling the colony, for this process alone")
+        elif not loop._cache.file_of(signature).exists():
             log.info("compiling the colony, once for this machine")
         loop.compile(signature)
 
@@ -102,6 +106,7 @@ class KernelCache(_Cache):
             draft.replace(file)
         except OSError as problem:
             log.warning("the kernel cache cannot be written: %s", problem)
+            draft.unlink(missing_ok=True)
 
     def enable(self) -> None:
         """Do nothing: this cache is always on."""

@@ -3,7 +3,8 @@
 All edges evaporate alike, so evaporation is one factor, ``scale``, and costs nothing per edge; the roulette
 does not see a common factor. Each edge's weight, stored^alpha * eta^beta, is recomputed when that edge's
 pheromone changes and not at every step. Only levels relative to each other count, so what is stored is brought
-back to at most 1 before it, or a weight, could overflow. Nobody outside this file knows of any of this.
+back to at most 1 before it, or a weight, could overflow; levels themselves saturate at 10^150. Nobody outside
+this file knows of any of this.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ HIGHEST_POWER = 1e90
 
 _SMALLEST_SCALE = 1e-150
 _HIGHEST_SHARE = 1e300
+_HIGHEST_SCALE = 1e150
 _WAITS = -1.0
 
 
@@ -63,9 +65,10 @@ def evaporate(colony: Any, rho: Any) -> None:
 def clamp(colony: Any, lowest: Any, highest: Any) -> None:
     """Bring the pheromone of every edge into [lowest, highest]."""
     for edge in range(colony.stored.size):
-        if colony.stored[edge] < lowest / colony.scale[0]:
+        tau = level(colony, edge)
+        if tau < lowest:
             set_level(colony, edge, lowest)
-        elif colony.stored[edge] > highest / colony.scale[0]:
+        elif tau > highest:
             set_level(colony, edge, highest)
 
 
@@ -151,7 +154,7 @@ def _normalise(colony: Any) -> None:
     else:
         for edge in range(colony.stored.size):
             colony.stored[edge] /= highest
-        colony.scale[0] *= highest
+        colony.scale[0] = min(colony.scale[0] * highest, _HIGHEST_SCALE)
     _weigh_all(colony)
 
 

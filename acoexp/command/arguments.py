@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+from argparse import ArgumentParser
 from datetime import datetime
 from secrets import token_hex
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 from hydra._internal.utils import get_args_parser
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.errors import OverrideParseException
 
+from acoexp import registry
 from acoexp.colony.problem import ColonySettings
 from acoexp.errors import SettingsError
 from acoexp.parameters import fields_of
@@ -36,23 +38,63 @@ def normalise(argv: list[str]) -> Arguments:
         SettingsError: for an override that cannot be read, a sweep without ``-m``, a range that runs
             backwards, or a flag that would replace the program's own configuration.
     """
-    flags = get_args_parser().parse_intermixed_args(argv)
+    parser = _parser()
+    given, options = _split(argv, parser)
+    flags = parser.parse_args(options)
     for flag, value in (("--config-path", flags.config_path), ("--config-name", flags.config_name)):
         if value is not None:
             raise SettingsError(
                 f"{flag}: expected overrides, or a folder with options of your own by --config-dir; got {value!r}"
             )
-    overrides = [_expand(override) for override in flags.overrides]
-    runs = not (flags.cfg or flags.info or flags.help or flags.hydra_help or flags.shell_completion)
+    for override in given:
+        _refuse_nothing(override)
+    overrides = [_expand(override) for override in given]
+    others = (flags.cfg, flags.info, flags.help, flags.hydra_help, flags.shell_completion)
+    if sum(map(bool, (*others, flags.run, flags.multirun))) > 1 and not (flags.help and flags.cfg):
+        raise SettingsError("expected only one of --run, --multirun, --cfg, --info, --help and -sc")
+    runs = not any(others)
     if runs and not flags.multirun:
-        _refuse_sweeps(flags.overrides, overrides)
-    options = list(argv)
-    for override in flags.overrides:
-        options.remove(override)
-    if flags.config_dir is not None:
-        options = _without_config_dir(options)
+        _refuse_sweeps(given, overrides)
     # overrides first: an option with an optional value, such as --info, must not take one for its value
-    return Arguments([*overrides, *(_folders(overrides) if runs else ()), *options], flags.config_dir)
+    argv = [*overrides, *(_folders(overrides) if runs else ()), *_without_config_dir(options)]
+    return Arguments(argv, flags.config_dir)
+
+
+def _parser() -> ArgumentParser:
+    """Return Hydra's parser, which tells of what is wrong in our way."""
+    parser = get_args_parser()
+
+    def refuse(message: str) -> NoReturn:
+        raise SettingsError(f"{message}; --help lists what there is")
+
+    parser.error = refuse  # type: ignore[method-assign]
+    return parser
+
+
+def _split(argv: list[str], parser: ArgumentParser) -> tuple[list[str], list[str]]:
+    """Return overrides and flags apart, each flag with its value."""
+    overrides, options = [], []
+    words = list(reversed(argv))
+    while words:
+        word = words.pop()
+        if not word.startswith("-"):
+            overrides.append(word)
+            continue
+        word = _in_full(word, parser)
+        options.append(word)
+        action = parser._option_string_actions.get(word)
+        takes = action is not None and action.nargs is None
+        may_take = action is not None and action.nargs == "?"
+        if words and (takes or (may_take and words[-1] in (action.choices or ()))):  # type: ignore[union-attr]
+            options.append(words.pop())
+    return overrides, options
+
+
+def _in_full(flag: str, parser: ArgumentParser) -> str:
+    """Return a flag that was shortened in full, as argparse would take it."""
+    known = parser._option_string_actions
+    longer = [name for name in known if flag.startswith("--") and name.startswith(flag)]
+    return longer[0] if flag not in known and len(longer) == 1 else flag
 
 
 def _expand(override: str) -> str:
@@ -81,6 +123,15 @@ def _refuse_sweeps(given: list[str], overrides: list[str]) -> None:
             raise SettingsError(f"{text}: several values; add -m to run them all (a list is written [1,2])")
 
 
+def _refuse_nothing(override: str) -> None:
+    """Refuse what Hydra would stumble over: no key, or no option for a group."""
+    key, _, value = override.lstrip("+~").partition("=")
+    if not key:
+        raise SettingsError(f"{override}: expected key=value")
+    if key in (*registry.GROUPS, "algo", "tracking") and value.lower() == "null":
+        raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
+
+
 def _folders(overrides: list[str]) -> list[str]:
     """Return overrides that give this run or sweep a folder of its own, unless the user names one."""
     stamp = f"{datetime.now():%Y-%m-%d/%H-%M-%S}-{token_hex(4)}"
@@ -95,6 +146,6 @@ def _without_config_dir(options: list[str]) -> list[str]:
             skip = False
         elif option in ("--config-dir", "-cd"):
             skip = True
-        elif not option.startswith("--config-dir="):
+        elif not option.startswith(("--config-dir=", "-cd=")):
             kept.append(option)
     return kept

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from contextlib import chdir
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -28,7 +29,8 @@ def run_job(config: DictConfig) -> float:
     Raises:
         AcoexpError: for whatever went wrong.
     """
-    return Job(config).run()
+    with chdir(HydraConfig.get().runtime.cwd):  # files and stores are named from there, also under hydra.job.chdir
+        return Job(config).run()
 
 
 class Job:
@@ -41,12 +43,10 @@ class Job:
     def __init__(self, config: DictConfig) -> None:
         self.config = _plain(config)
         self.tracker: Tracker = open_tracker(self._mapping("tracking"))
-        self.seed = check_seed(self.config["seed"])
+        self.seed = check_seed(self.config.get("seed"))
         self.settings = self._settings()
         self.grid = self._grid()
-        report = self._mapping("report").get("name")
-        if report != "none":
-            registry.find("report", str(report))
+        self.report = self._report()
 
     def run(self) -> float:
         """Run the trial and keep what it found."""
@@ -71,12 +71,22 @@ class Job:
     def _settings(self) -> Settings:
         others = ("seed", "algo", "map", "tracking", "report")
         values = {key: value for key, value in self.config.items() if key not in others}
-        return resolve(self.config["algo"], values)
+        return resolve(self.config.get("algo"), values)
 
     def _grid(self) -> Grid:
         parameters = dict(self._mapping("map"))
         name = parameters.pop("name", None)
-        return _load(build(registry.find("map", str(name)), parameters, "map."))
+        return _load(build(registry.find("map", name), parameters, "map."))
+
+    def _report(self) -> Any:
+        """Return the report that was asked for, or None."""
+        parameters = dict(self._mapping("report"))
+        name = parameters.pop("name", None)
+        if name != "none":
+            return build(registry.find("report", name), parameters, "report.")
+        for key in parameters:
+            raise SettingsError(f"report.{key} is not a known key of report=none")
+        return None
 
     def _mapping(self, key: str) -> dict[str, Any]:
         value = self.config.get(key)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
 
 import hydra
@@ -13,6 +12,7 @@ from omegaconf.errors import OmegaConfBaseException
 from acoexp.command import sweep
 from acoexp.command.arguments import normalise
 from acoexp.command.job import run_job
+from acoexp.command.messages import print_error
 from acoexp.command.options import register_options
 from acoexp.errors import AcoexpError
 from acoexp.presets import conf_dir
@@ -37,19 +37,7 @@ def main() -> None:
         if wants_traceback:
             raise
         sweep.finish()
-        print(f"acoexp: error: {_in_one_line(problem)}", file=sys.stderr)
+        print_error(problem)
         sys.exit(1)
     finally:
         sweep.finish()
-
-
-def _in_one_line(problem: Exception) -> str:
-    """Return an error's message as one line, Hydra's in our words."""
-    text = " ".join(str(problem).partition("Config search path")[0].split())
-    unknown = re.match(r"Could not override '([^']+)'", text)
-    if unknown:
-        return f"{unknown[1]} is not a known key; --help lists the keys, --cfg job shows the settings"
-    missing = re.match(r"In '[^']+': Could not find '([^/']+)/([^']+)' Available options in '[^']+': (.*)", text)
-    if missing:
-        return f"{missing[1]}: expected one of: {', '.join(missing[3].split())}; got {missing[2]!r}"
-    return text

@@ -23,7 +23,8 @@ from acoexp.errors import SettingsError, StrategyError
 from acoexp.field import FieldSettings
 from acoexp.parameters import defaults_of
 
-_RUNS_CODE = re.compile(r"(^|[\s/@])hydra(?!\w)|_target_")
+_RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
+_OURS = ("config", "settings")
 
 
 def register_options(config_dir: str | None) -> None:
@@ -77,6 +78,11 @@ class UserOptions(FileConfigSource):
 
     def load_config(self, config_path: str) -> ConfigResult:
         """Read a file and refuse it if it reaches for Hydra's own settings or for code."""
+        if config_path in _OURS:
+            raise HydraException(
+                f"{Path(self.path, config_path)}.yaml: expected options in folders, such as algo/{config_path}; "
+                "this name is the program's own"
+            )
         result = super().load_config(config_path)
         content = OmegaConf.to_container(result.config, resolve=False)
         where = f"{config_path} {result.header.get('package') or ''}"

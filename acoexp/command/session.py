@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import sys
+import re
+import traceback
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,9 @@ from omegaconf import DictConfig
 
 from acoexp.command import summary, sweep
 from acoexp.command.job import Job
-from acoexp.errors import AcoexpError, SettingsError
+from acoexp.command.messages import print_error
+from acoexp.errors import AcoexpError
+from acoexp.settings import check_seed
 
 
 class Session(Callback):
@@ -42,8 +45,11 @@ def _or_exit(action: Any) -> None:
     """Hydra turns a callback's exceptions into warnings, but lets this one through."""
     try:
         action()
-    except (AcoexpError, HydraException) as problem:
-        print(f"acoexp: error: {problem}", file=sys.stderr)
+    except (AcoexpError, HydraException, OSError) as problem:
+        print_error(problem)
+        raise SystemExit(1) from problem
+    except Exception as problem:
+        traceback.print_exc()
         raise SystemExit(1) from problem
 
 
@@ -72,5 +78,4 @@ def _values(override: Override) -> list[str]:
 
 
 def _check_seed_text(text: str) -> None:
-    if not text.isdecimal():
-        raise SettingsError(f"seed: expected a whole number from 0 to 2^64 - 1; got {text!r}")
+    check_seed(int(text) if re.fullmatch("0|[1-9][0-9]*", text) else text)

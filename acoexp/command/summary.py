@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -22,7 +23,7 @@ def finished(folder: Path) -> list[Path]:
 def print_trial(folder: Path, where: str) -> None:
     """Print what one trial found."""
     trial = json.loads((folder / "trial.json").read_text(encoding="utf-8"))
-    console = Console()
+    console = _console()
     console.print(_table([[trial]], spread=False))
     console.print(f"files: {folder}\nrun:   {where}", highlight=False, soft_wrap=True)
 
@@ -33,7 +34,7 @@ def print_sweep(folder: Path, jobs: int, where: str, seconds: float) -> None:
     cells: dict[str, list[Trial]] = {}
     for trial in sorted(trials, key=lambda t: (t["map"], t["algo"], t["cell"], t["seed"])):
         cells.setdefault(trial["cell"], []).append(trial)
-    console = Console()
+    console = _console()
     if cells:
         console.print(_table(list(cells.values()), spread=True))
     console.print(
@@ -41,6 +42,12 @@ def print_sweep(folder: Path, jobs: int, where: str, seconds: float) -> None:
         highlight=False,
         soft_wrap=True,
     )
+
+
+def _console() -> Console:
+    """Return standard output; what is no terminal has no width at which a table would have to be cut."""
+    console = Console()
+    return console if console.is_terminal else Console(width=1000)
 
 
 def _table(cells: Sequence[list[Trial]], spread: bool) -> Table:
@@ -77,7 +84,19 @@ def _mean(values: Iterable[float | None], digits: int, unit: str = "") -> str:
     if not there.size:
         return "-"
     mean = f"{there.mean():.{digits}f}{unit}"
-    return f"{mean}\n±{there.std(ddof=1):.{min(digits, 2)}f}{' ' * len(unit)}" if there.size > 1 else mean
+    return (
+        f"{mean}\n{_plus_minus()}{there.std(ddof=1):.{min(digits, 2)}f}{' ' * len(unit)}"
+        if there.size > 1
+        else mean
+    )
+
+
+def _plus_minus() -> str:
+    try:
+        "±".encode(sys.stdout.encoding or "ascii")
+    except UnicodeEncodeError:
+        return "+-"
+    return "±"
 
 
 def _varied(configs: Sequence[dict[str, str]]) -> list[str]:

@@ -72,7 +72,8 @@ class Grid:
 
     def _check(self) -> None:
         if self.moves not in MOVE_RULES:
-            raise MapError(f"map.moves: expected one of: {', '.join(MOVE_RULES)}; got {self.moves!r}")
+            rules = ", ".join(MOVE_RULES)
+            raise MapError(f"map {self.name}: moves: expected one of: {rules}; got {self.moves!r}")
         rows, cols = self.shape
         for key, (row, col) in (("start", self.start), ("goal", self.goal)):
             if not (0 <= row < rows and 0 <= col < cols):
@@ -89,6 +90,13 @@ class Grid:
                 f"map {self.name}: no way leads from start {self.start} to goal {self.goal} under the rule "
                 f"{self.moves!r}; expected a map with at least one"
             )
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled over; NumPy forgets that an array was read-only."""
+        self.__dict__.update(state)
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -133,9 +141,15 @@ class Grid:
         Raises:
             MapError: if it does not lead from start to goal, or one of its moves is not allowed.
         """
-        cells = np.asarray(path)
-        if cells.ndim != 2 or cells.shape[1] != 2 or len(cells) < 2:
-            raise MapError(f"map {self.name}: expected a path int[n, 2], n >= 2; got shape {cells.shape}")
+        try:
+            cells = np.asarray(path)
+        except ValueError as problem:
+            raise MapError(f"map {self.name}: expected a path int[n, 2]; got a ragged one") from problem
+        if cells.ndim != 2 or cells.shape[1] != 2 or len(cells) < 2 or cells.dtype.kind not in "iu":
+            raise MapError(
+                f"map {self.name}: expected a path int[n, 2], n >= 2; got {cells.dtype} of shape {cells.shape}"
+            )
+        cells = cells.astype(np.int64)
         ends = (tuple(cells[0].tolist()), tuple(cells[-1].tolist()))
         if ends != (self.start, self.goal):
             raise MapError(

@@ -29,7 +29,7 @@ MOVE_RULES: tuple[str, ...] = get_args(MoveRule)
 def path_length(straight: float, diagonal: float) -> float:
     """Return the length of a path of so many straight and diagonal moves.
 
-    Two different pairs never give the same float below some 10^9 moves, and equal pairs always do, so
+    Two different pairs never give the same float below some 10^7 moves, and equal pairs always do, so
     lengths made here may be compared exactly.
     """
     return straight + diagonal * SQRT2

@@ -25,10 +25,12 @@ class MapFile(MapSource):
 
     def load(self) -> Grid:
         """Read the file and return its grid."""
-        path = Path(self.path).expanduser()
         try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as problem:
-            reason = problem.strerror if isinstance(problem, OSError) else "it is not UTF-8 text"
+            path = Path(self.path).expanduser()
+            text = path.read_text(encoding="utf-8-sig")
+        except UnicodeDecodeError as problem:
+            raise MapError(f"map.path: expected a text file in UTF-8; got {self.path!r}") from problem
+        except (OSError, ValueError, RuntimeError) as problem:
+            reason = getattr(problem, "strerror", None) or str(problem)
             raise MapError(f"map.path: expected a readable text file; got {self.path!r} ({reason})") from problem
         return parse_map(text, name=path.name, start=self.start, goal=self.goal, moves=self.moves)

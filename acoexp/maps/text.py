@@ -8,7 +8,9 @@ from __future__ import annotations
 from acoexp.errors import MapError
 from acoexp.grid import Cell, Grid
 
-_ART = {".": 0, "#": 1, "S": 0, "G": 0}
+_MARKS = {"S": 0, "G": 0}
+_ART = {".": 0, "#": 1, **_MARKS}
+_DIGITS = {"0": 0, "1": 1, **_MARKS}
 
 
 def parse_map(
@@ -18,7 +20,7 @@ def parse_map(
 
     Args:
         text: Rows of ``.`` (free), ``#`` (obstacle), ``S`` and ``G`` (start and goal, on free cells), or of
-            ``0`` and ``1`` separated by blanks.
+            ``0`` and ``1`` separated by blanks, with the same marks.
         name: The map's name, for messages; a file's map is called like the file.
         start: Start, if the text does not mark it.
         goal: Goal, if the text does not mark it.
@@ -32,7 +34,8 @@ def parse_map(
     if not rows:
         raise MapError(f"map {name}: expected rows of '.' and '#' or of 0 and 1; got an empty text")
     symbols = [row.split() if " " in row.strip() or "\t" in row.strip() else list(row.strip()) for row in rows]
-    alphabet = {"0": 0, "1": 1} if symbols[0][0] in "01" else _ART
+    first = next((symbol for row in symbols for symbol in row if symbol not in _MARKS), ".")
+    alphabet = _DIGITS if first[0] in "01" else _ART
     for number, row in enumerate(symbols, 1):
         if len(row) != len(symbols[0]):
             raise MapError(
@@ -48,7 +51,7 @@ def parse_map(
         [[alphabet[symbol] for symbol in row] for row in symbols],
         start=_marked("S", "start", symbols, start, name),
         goal=_marked("G", "goal", symbols, goal, name),
-        moves=moves or metadata.get("moves", "no_squeeze"),
+        moves=metadata.get("moves", "no_squeeze") if moves is None else moves,
         name=name,
         metadata=metadata,
     )
@@ -57,10 +60,10 @@ def parse_map(
 def _split(text: str) -> tuple[dict[str, str], list[str]]:
     metadata, rows = {}, []
     for line in text.splitlines():
-        if line.startswith(";"):
-            key, colon, value = line[1:].partition(":")
+        if line.lstrip().startswith(";"):
+            key, colon, value = line.lstrip()[1:].partition(":")
             if colon:
-                metadata[key.strip()] = value.strip()
+                metadata[key.strip().lower()] = value.strip()
         elif line.strip():
             rows.append(line)
     return metadata, rows

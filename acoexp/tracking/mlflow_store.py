@@ -39,8 +39,9 @@ class MlflowTracker:
     """Keeps trials in the MLflow store at an address."""
 
     def __init__(self, uri: str) -> None:
-        self._file = Path(uri.removeprefix(_SQLITE)).absolute() if uri.startswith(_SQLITE) else None
-        self.uri = uri if self._file is None else f"{_SQLITE}{self._file}"
+        file, mark, query = uri.removeprefix(_SQLITE).partition("?")
+        self._file = Path(file).absolute() if uri.startswith(_SQLITE) else None
+        self.uri = uri if self._file is None else f"{_SQLITE}{self._file}{mark}{query}"
         self.where = f"MLflow experiment {EXPERIMENT!r} at {uri}"
 
     def prepare(self) -> None:

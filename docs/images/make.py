@@ -38,7 +38,7 @@ def trial(folder: Path) -> None:
     whole = Image.new("RGB", (left.width + right.width, left.height), "white")
     whole.paste(left, (0, 0))
     whole.paste(right, (left.width, (left.height - right.height) // 2))
-    whole.quantize(64).save(IMAGES / "trial.png", optimize=True)
+    whole.quantize(256).save(IMAGES / "trial.png", optimize=True)
 
 
 def comparison(folder: Path) -> None:
@@ -52,7 +52,7 @@ def comparison(folder: Path) -> None:
         subprocess.run(
             [*CHROMIUM, f"--user-data-dir={folder}/chromium", f"--screenshot={picture}", page], check=True
         )
-        Image.open(picture).convert("RGB").crop((0, 0, 1100, 1300)).quantize(64).save(
+        Image.open(picture).convert("RGB").crop((0, 0, 1100, 1300)).quantize(256).save(
             IMAGES / "mlflow.png", optimize=True
         )
     finally:

@@ -45,7 +45,8 @@ def spin(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
     if not ball < total:  # all weights are 0, or the product was rounded up
         return _spin_rarely(colony, cell)
     return (
-        (w0 <= ball)
+        0  # without the JIT, the sum of NumPy's truth values would be one
+        + (w0 <= ball)
         + (s1 <= ball)
         + (s2 <= ball)
         + (s3 <= ball)

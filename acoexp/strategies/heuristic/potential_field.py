@@ -21,7 +21,9 @@ from acoexp.strategies.heuristic.goal_distance import GoalDistance
 class ForceGuided(GoalDistance):
     """Prefers moves towards the goal and along the potential field's force; a reconstruction of Luo and Wu."""
 
-    guidance: float = parameter(0.1, "how much the force's direction counts; 0 is goal_distance", minimum=0.0)
+    guidance: float = parameter(
+        0.1, "how much the force's direction counts; 0 is goal_distance", minimum=0.0, maximum=10.0
+    )
 
     def eta(self, problem: Problem) -> NDArray[np.float64]:
         """Return eta, float64[rows, cols, 8]."""

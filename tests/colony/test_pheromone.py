@@ -1,0 +1,195 @@
+"""Pheromone levels and weights are those of a plain model, whatever is done in whatever order."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from samples import colony_on, problem_on, trails_of
+
+from acoexp import Grid
+from acoexp.colony import pheromone
+from acoexp.colony.problem import Problem
+from acoexp.colony.state import Colony
+
+GRID = Grid([[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])
+WALKS = [[0, 0, 7, 6], [0, 0, 0, 6, 6], [6, 6, 0, 0, 0], [0, 7, 7], [0, 0, 6, 0, 6]]
+"""Ways from the upper left to the lower right corner; some share edges."""
+
+
+def edges_of(problem: Problem) -> list[int]:
+    """Return all edges whose move is allowed."""
+    return np.flatnonzero(problem.per_edge(problem.allowed_edges(), border=False)).tolist()
+
+
+PROBLEM = problem_on(GRID)
+EDGES = edges_of(PROBLEM)
+
+amounts = st.floats(1e-3, 1e3) | st.sampled_from([1e-100, 1e100])
+edges = st.sampled_from(EDGES)
+rates = st.sampled_from([0.0, 0.3, 0.5, 1 - 1e-6, 1.0])
+operations = st.one_of(
+    st.tuples(st.just("deposit"), edges, amounts),
+    st.tuples(st.just("set_level"), edges, amounts),
+    st.tuples(st.just("multiply"), edges, st.floats(1.0, 2.0)),
+    st.tuples(st.just("lay"), st.sampled_from(WALKS), amounts),
+    st.tuples(st.just("evaporate"), rates),
+    st.tuples(st.just("clamp"), st.floats(1e-3, 0.5), st.floats(0.5, 10.0)),
+    st.tuples(st.just("refresh")),
+)
+
+
+def edges_along(colony: Colony, walk: list[int]) -> list[int]:
+    cells = colony.start + np.cumsum([0, *colony.offsets[walk[:-1]]])
+    return [int(cell) * 8 + move for cell, move in zip(cells, walk, strict=True)]
+
+
+def act(colony: Colony, model: dict[int, float], name: str, *arguments: Any) -> None:
+    """Do the same to a colony and to the model: a level for each edge."""
+    match name, arguments:
+        case "deposit", (edge, amount):
+            pheromone.deposit(colony, edge, amount)
+            model[edge] += amount
+        case "set_level", (edge, amount):
+            pheromone.set_level(colony, edge, amount)
+            model[edge] = amount
+        case "multiply", (edge, factor):
+            pheromone.multiply(colony, edge, factor, np.power(factor, colony.alpha))
+            model[edge] *= factor
+        case "lay", (walk, amount):
+            pheromone.lay(colony, trails_of(colony, None, walk), 1, amount)
+            for edge in edges_along(colony, walk):
+                model[edge] += amount
+        case "evaporate", (rate,):
+            pheromone.evaporate(colony, rate)
+            model.update({edge: level * (1 - rate) for edge, level in model.items()})
+        case "clamp", (lowest, highest):
+            pheromone.clamp(colony, lowest, highest)
+            model.update({edge: min(max(level, lowest), highest) for edge, level in model.items()})
+        case "refresh", ():
+            pheromone.refresh(colony)
+
+
+def assert_levels(colony: Colony, model: dict[int, float]) -> None:
+    tiny = 1e-290 * max(1.0, *model.values())
+    for edge, expected in model.items():
+        assert math.isclose(pheromone.level(colony, edge), expected, rel_tol=1e-9, abs_tol=tiny)
+
+
+def assert_weights(colony: Colony, model: dict[int, float]) -> None:
+    """Compare each weight with tau^alpha * eta^beta, up to a common factor."""
+    for edge, level in model.items():
+        expected = (level / colony.scale[0]) ** colony.alpha * colony.desirability[edge]
+        assert math.isclose(colony.weight[edge], expected, rel_tol=1e-9, abs_tol=1e-290)
+
+
+def some_colony(alpha: float, room: int | None = None) -> tuple[Colony, dict[int, float]]:
+    """Return a colony with room for so many edges whose weight may wait, and the model of it."""
+    problem = problem_on(GRID, alpha=alpha, tau0=0.7)
+    colony = colony_on(problem, np.random.default_rng(0).uniform(0.1, 1.0, (*GRID.shape, 8)))
+    if room is not None:
+        colony = colony._replace(stale=colony.stale[:room])
+    return colony, dict.fromkeys(EDGES, 0.7)
+
+
+@settings(deadline=None, max_examples=300)
+@given(
+    st.lists(operations, max_size=40),
+    st.sampled_from([0.0, 0.5, 1.1, 2.0, 100.0]),
+    st.sampled_from([None, 0, 1, 5]),
+)
+def test_any_sequence_of_operations_does_what_it_does_to_a_plain_model(
+    steps: list[tuple[Any, ...]], alpha: float, room: int | None
+) -> None:
+    colony, model = some_colony(alpha, room)
+    for step in steps:
+        act(colony, model, *step)
+        assert_levels(colony, model)
+    pheromone.refresh(colony)
+    assert_weights(colony, model)
+    assert colony.stale_count[0] == 0
+
+
+@pytest.mark.parametrize("name", ["deposit", "set_level", "multiply"])
+def test_a_single_change_shows_in_the_weight_at_once(name: str) -> None:
+    colony, model = some_colony(1.1)
+    act(colony, model, name, EDGES[7], 1.5)
+    assert_weights(colony, model)
+
+
+def test_while_an_ant_lays_weights_wait_and_levels_do_not() -> None:
+    colony, model = some_colony(1.1)
+    act(colony, model, "lay", WALKS[0], 2.0)
+    act(colony, model, "lay", WALKS[1], 3.0)
+    assert_levels(colony, model)
+    assert colony.stale_count[0] == len({*edges_along(colony, WALKS[0]), *edges_along(colony, WALKS[1])})
+
+
+def test_where_too_many_edges_wait_the_others_are_weighed_at_once() -> None:
+    colony, model = some_colony(1.1, room=2)
+    act(colony, model, "lay", WALKS[1], 2.0)
+    assert colony.stale_count[0] == 2
+    assert (colony.weight < 0.0).sum() == 2
+    pheromone.refresh(colony)
+    assert_weights(colony, model)
+
+
+def test_evaporation_goes_on_for_ever_without_underflow_of_its_factor() -> None:
+    colony, model = some_colony(1.1)
+    for _ in range(1000):
+        act(colony, model, "evaporate", 0.5)
+        act(colony, model, "lay", WALKS[2], 1.0)
+        pheromone.refresh(colony)
+        assert colony.scale[0] > 1e-150
+    assert_levels(colony, model)
+    assert_weights(colony, model)
+
+
+def test_when_all_evaporates_nothing_is_left_and_new_pheromone_counts() -> None:
+    colony, model = some_colony(1.1)
+    act(colony, model, "evaporate", 1.0)
+    assert all(pheromone.level(colony, edge) == 0.0 for edge in EDGES)
+    act(colony, model, "deposit", EDGES[0], 2.0)
+    assert_levels(colony, model)
+    assert_weights(colony, model)
+
+
+def test_reset_forgets_everything() -> None:
+    colony, model = some_colony(1.1)
+    fresh = [array.copy() for array in (colony.stored, colony.weight, colony.scale)]
+    act(colony, model, "evaporate", 0.5)
+    act(colony, model, "lay", WALKS[0], 2.0)
+    pheromone.reset(colony, np.array([0.7]))
+    for array, before in zip((colony.stored, colony.weight, colony.scale), fresh, strict=True):
+        assert (array == before).all()
+    assert colony.stale_count[0] == 0
+
+
+def test_the_initial_pheromone_may_differ_from_edge_to_edge() -> None:
+    colony, _ = some_colony(1.1)
+    initial = np.random.default_rng(1).uniform(1.0, 2.0, colony.stored.size)
+    pheromone.reset(colony, initial)
+    model = {edge: float(initial[edge]) for edge in EDGES}
+    assert_levels(colony, model)
+    assert_weights(colony, model)
+
+
+@pytest.mark.parametrize("alpha", [0.0, 1.1, 100.0])
+def test_pheromone_that_no_float_holds_still_evaporates_and_grows(alpha: float) -> None:
+    colony, _ = some_colony(alpha)
+    with np.errstate(over="ignore"):
+        for _ in range(4000):
+            pheromone.multiply(colony, EDGES[7], 1.5, 1.5**alpha)
+        assert not any(np.isnan(pheromone.level(colony, edge)) for edge in EDGES)
+    for rate in (0.5, 1.0):
+        pheromone.evaporate(colony, rate)
+        pheromone.lay(colony, trails_of(colony, WALKS[0]), 0, 1.0)
+        pheromone.deposit(colony, EDGES[0], 1.0)
+        pheromone.refresh(colony)
+        assert np.isfinite(colony.stored).all()
+        assert np.isfinite(colony.weight).all()
+    assert math.isclose(pheromone.level(colony, EDGES[0]), 2.0)

@@ -1,0 +1,143 @@
+"""Maps from files: what can be wrong with a path, and that every message names the file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from acoexp import Grid, MapError, SettingsError
+from acoexp.maps.file import MapFile
+from acoexp.parameters import build
+
+ART = "; moves: free\n..#\n...\n#..\n"
+
+
+@pytest.fixture
+def yard(tmp_path: Path) -> Path:
+    """Return a map's file."""
+    path = tmp_path / "yard.txt"
+    path.write_text(ART, encoding="utf-8")
+    return path
+
+
+def load(path: Any, **options: Any) -> Grid:
+    """Load a map as the command line and Python do, its parameters checked."""
+    grid: Grid = build(MapFile, {"path": str(path), **options}, "map.").load()
+    return grid
+
+
+def refusal(path: Any, **options: Any) -> str:
+    """Return the message with which a file is refused."""
+    with pytest.raises(MapError) as caught:
+        load(path, **options)
+    return str(caught.value)
+
+
+def test_a_map_is_called_like_its_file(yard: Path) -> None:
+    grid = load(yard)
+    assert (grid.name, grid.shape, grid.moves) == ("yard.txt", (3, 3), "free")
+
+
+def test_parameters_say_what_the_file_does_not(yard: Path) -> None:
+    grid = load(yard, start=[1, 0], goal=(1, 2), moves="no_cut")
+    assert (grid.start, grid.goal, grid.moves) == ((1, 0), (1, 2), "no_cut")
+
+
+def test_a_relative_path_starts_in_the_working_directory(yard: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(yard.parent)
+    assert load("yard.txt").shape == (3, 3)
+
+
+def test_a_tilde_stands_for_the_home_directory(yard: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HOME", str(yard.parent))
+    monkeypatch.setenv("USERPROFILE", str(yard.parent))
+    assert load("~/yard.txt").shape == (3, 3)
+
+
+@pytest.mark.parametrize("content", [ART.replace("\n", "\r\n"), ART + "\n\n\n", ART.rstrip("\n")])
+def test_line_ends_and_trailing_blank_lines_do_not_matter(yard: Path, content: str) -> None:
+    yard.write_bytes(content.encode())
+    assert load(yard).digest == Grid([[0, 0, 1], [0, 0, 0], [1, 0, 0]], moves="free").digest
+
+
+def test_a_byte_order_mark_does_not_matter(yard: Path) -> None:
+    yard.write_bytes(b"\xef\xbb\xbf" + ART.encode())
+    assert load(yard).moves == "free"
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    path = str(tmp_path / "nowhere.txt")
+    assert refusal(path) == f"map.path: expected a readable text file; got {path!r} (No such file or directory)"
+
+
+def test_a_directory_is_no_map(tmp_path: Path) -> None:
+    assert refusal(tmp_path).startswith(f"map.path: expected a readable text file; got {str(tmp_path)!r} (")
+
+
+def test_an_unreadable_file_is_named(yard: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Raised by hand: an administrator, whom many containers run as, may read everything."""
+
+    def denied(*args: Any, **kwargs: Any) -> str:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "read_text", denied)
+    assert refusal(yard) == f"map.path: expected a readable text file; got {str(yard)!r} (Permission denied)"
+
+
+@pytest.mark.parametrize("content", [b"\x89PNG\r\n\x1a\n\x00\xff", ART.encode("utf-16")])
+def test_a_binary_file_is_no_map(yard: Path, content: bytes) -> None:
+    yard.write_bytes(content)
+    assert refusal(yard) == f"map.path: expected a text file in UTF-8; got {str(yard)!r}"
+
+
+@pytest.mark.parametrize(
+    ("content", "complaint"),
+    [
+        ("", "got an empty text"),
+        ("..\n.\n", "row 2 has 1 cells; expected 2"),
+        ("..\n.\x00\n", "row 2, column 2: expected one of . # S G; got '\\x00'"),
+        (".#\n#.\n", "no way leads from start (0, 0) to goal (1, 1)"),
+    ],
+)
+def test_a_file_that_shows_no_map_is_named(yard: Path, content: str, complaint: str) -> None:
+    yard.write_text(content, encoding="utf-8")
+    message = refusal(yard)
+    assert message.startswith("map yard.txt: ")
+    assert complaint in message
+
+
+def test_an_unknown_rule_names_the_file_that_declares_it(yard: Path) -> None:
+    yard.write_text("; moves: sideways\n...\n", encoding="utf-8")
+    message = refusal(yard)
+    assert "yard.txt" in message
+    assert "'sideways'" in message
+
+
+@pytest.mark.parametrize("path", ["~nobody-of-this-name/yard.txt", "yard\0.txt"])
+def test_a_path_that_cannot_be_one_is_refused(path: str) -> None:
+    assert repr(path) in refusal(path)
+
+
+@pytest.mark.parametrize(
+    ("options", "complaint"),
+    [
+        ({"path": "???"}, "map.path: expected a text; got nothing"),
+        ({"path": None}, "map.path: expected a text; got nothing"),
+        ({"path": 5}, "map.path: expected a text; got 5"),
+        ({"start": [1]}, r"map.start: expected a pair \[row, column\]; got \[1\]"),
+        ({"start": [0.5, 1]}, r"map.start: expected a pair \[row, column\]; got \[0.5, 1\]"),
+        ({"goal": "12"}, r"map.goal: expected a pair \[row, column\]; got '12'"),
+        ({"moves": "sideways"}, "map.moves: expected one of: free, no_squeeze, no_cut; got 'sideways'"),
+        ({"file": "x"}, "map.file is not a known key; expected one of: map.path, map.start, map.goal, map.moves"),
+    ],
+)
+def test_parameters_are_checked(options: dict[str, Any], complaint: str) -> None:
+    with pytest.raises(SettingsError, match=complaint):
+        build(MapFile, {"path": "yard.txt", **options}, "map.")
+
+
+def test_a_path_must_be_given() -> None:
+    with pytest.raises(SettingsError, match=r"map.path: expected a text; got nothing"):
+        build(MapFile, {}, "map.")

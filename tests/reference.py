@@ -1,0 +1,253 @@
+"""The whole colony a second time, in plain Python: the specification that the compiled one is held to.
+
+Nothing here comes from ``acoexp`` but a map's data. Cells are (row, column), row 0 on top; directions 0..7
+are E, NE, N, NW, W, SW, S, SE, so even ones are straight and odd ones diagonal.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from itertools import accumulate, pairwise
+from typing import Any
+
+Cell = tuple[int, int]
+Path = list[Cell]
+Pair = tuple[int, int]
+"""A length as (straight, diagonal) moves."""
+Vector = tuple[float, float]
+"""As (right, up)."""
+Moves = dict[Cell, dict[int, Cell]]
+"""By cell and direction: where that move leads. Moves that are not allowed are not there."""
+Levels = dict[tuple[Cell, int], float]
+"""Something on every edge (cell, direction)."""
+
+STEPS = [(0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0), (1, 1)]
+ROOT2 = math.sqrt(2)
+SHARE = [1 - (1, ROOT2)[d % 2] / (1.5 * ROOT2) for d in range(8)]
+"""Of what diffuses, the part that a move of direction d gets (Eqs 7 and 8)."""
+
+
+@dataclass(frozen=True)
+class Colony:
+    """An algorithm and its constants: everything about a trial but its map and its seed."""
+
+    algo: str
+    ants: int = 10
+    iterations: int = 200
+    alpha: float = 1.1
+    beta: float = 12.0
+    rho: float = 0.5
+    q: float = 1.0
+    tau0: float = 1.0
+    gamma: float = 0.01
+    at_goal: float = 100.0
+    guidance: float = 0.1
+    attraction: float = 1.0
+    repulsion: float = 25.0
+    reach: float = 4.0
+
+
+@dataclass
+class Found:
+    """What a trial found: the run's best path, as optimised and as walked, and what each cycle brought."""
+
+    path: Path | None = None
+    raw_path: Path | None = None
+    curve: list[Pair | None] = field(default_factory=list)
+    lost: list[int] = field(default_factory=list)
+    steps: int = 0
+
+
+class Random:
+    """xoshiro256++, its four words drawn from the seed by SplitMix64."""
+
+    def __init__(self, seed: int) -> None:
+        self.words = []
+        for _ in range(4):
+            seed = (seed + 0x9E3779B97F4A7C15) % 2**64
+            z = (seed ^ seed >> 30) * 0xBF58476D1CE4E5B9 % 2**64
+            z = (z ^ z >> 27) * 0x94D049BB133111EB % 2**64
+            self.words.append(z ^ z >> 31)
+
+    def word(self) -> int:
+        a, b, c, d = self.words
+        self.words = [a ^ d ^ b, a ^ b ^ c, a ^ c ^ (b << 17) % 2**64, _rotated(b ^ d, 45)]
+        return (_rotated((a + d) % 2**64, 23) + a) % 2**64
+
+    def uniform(self) -> float:
+        return (self.word() >> 11) * 2.0**-53
+
+
+def _rotated(word: int, left: int) -> int:
+    return (word << left | word >> 64 - left) % 2**64
+
+
+def moves_of(grid: Any) -> Moves:
+    """Every move that the map's rule for diagonals allows; outside the map counts as blocked."""
+    free = {(r, c) for r, row in enumerate(grid.obstacles) for c, wall in enumerate(row) if not wall}
+    blocked_beside = {"free": 2, "no_squeeze": 1, "no_cut": 0}[grid.moves]
+    allowed: Moves = {cell: {} for cell in free}
+    for r, c in free:
+        for d, (down, right) in enumerate(STEPS):
+            beside = [(r + down, c), (r, c + right)] if d % 2 else []
+            if (r + down, c + right) in free and sum(b not in free for b in beside) <= blocked_beside:
+                allowed[r, c][d] = (r + down, c + right)
+    return allowed
+
+
+def pair_of(path: Path) -> Pair:
+    """A path's (straight, diagonal) moves."""
+    diagonal = sum(a[0] != b[0] and a[1] != b[1] for a, b in pairwise(path))
+    return len(path) - 1 - diagonal, diagonal
+
+
+def length_of(pair: Pair) -> float:
+    return pair[0] + pair[1] * ROOT2
+
+
+def forces_of(grid: Any, colony: Colony) -> dict[Cell, Vector]:
+    """The resultant force at each cell (Eqs 1-4), as (right, up)."""
+    walls = [(r, c) for r, row in enumerate(grid.obstacles) for c, wall in enumerate(row) if wall]
+    forces = {}
+    for r, c in moves_of(grid):
+        right = colony.attraction * (grid.goal[1] - c)
+        up = colony.attraction * (r - grid.goal[0])
+        gross = math.hypot(right, up)
+        for wall in walls:
+            rho = math.dist((r, c), wall)
+            if rho <= colony.reach:
+                push = colony.repulsion * (1 / rho - 1 / colony.reach) / rho**2
+                right += push * (c - wall[1]) / rho
+                up += push * (wall[0] - r) / rho
+                gross += push
+        cancels = math.hypot(right, up) <= 1e-12 * gross  # what is left is rounding
+        forces[r, c] = (0, 0) if cancels else (right, up)
+    return forces
+
+
+def desirability_of(grid: Any, colony: Colony, forces: dict[Cell, Vector]) -> Levels:
+    """eta of each edge: how near to the goal it leads and, for ACO-PF, how well it follows the force."""
+    eta = {}
+    for cell, moves in moves_of(grid).items():
+        right, up = forces[cell]
+        for d, target in moves.items():
+            eta[cell, d] = colony.at_goal if target == grid.goal else 1 / math.dist(target, grid.goal)
+            if colony.algo == "pf" and (right, up) != (0, 0):
+                along = (right * STEPS[d][1] - up * STEPS[d][0]) / math.hypot(*STEPS[d])
+                eta[cell, d] *= math.exp(colony.guidance * along / math.hypot(right, up))
+    return eta
+
+
+def diffuse_gaussian(tau: Levels, cell: Cell, force: Vector, gamma: float) -> None:
+    """One move gets more: the one in whose sector the force lies (Eqs 5-8), if it is allowed."""
+    d = math.floor(math.atan2(force[1], force[0]) / (math.pi / 4) + 0.5) % 8
+    if force != (0, 0) and (cell, d) in tau:
+        tau[cell, d] *= 1 + gamma * SHARE[d]
+
+
+def diffuse_luo_wu(tau: Levels, cell: Cell, force: Vector, gamma: float) -> None:
+    """The moves on both sides of the force get more, the nearer one most; its pheromone is the source."""
+    if force == (0, 0):
+        return
+    sectors = math.atan2(force[1], force[0]) / (math.pi / 4)
+    low = math.floor(sectors)
+    nearness = {low % 8: 1 - (sectors - low), (low + 1) % 8: sectors - low}
+    allowed = [d for d in nearness if (cell, d) in tau]
+    if allowed:
+        source = tau[cell, max(allowed, key=lambda d: (nearness[d], d == (low + 1) % 8))]
+        for d in allowed:
+            tau[cell, d] += gamma * SHARE[d] * nearness[d] * source
+
+
+def without_crossings(path: Path) -> Path:
+    """Of two diagonals of one 2 x 2 block, drop what lies between: from the first cell on to the last one.
+
+    Only moves that cross, or one move walked twice, have the same middle.
+    """
+    last = {(a[0] + b[0], a[1] + b[1]): j for j, (a, b) in enumerate(pairwise(path))}
+    kept, i = [], 0
+    while i < len(path) - 1:
+        kept.append(path[i])
+        i = last[path[i][0] + path[i + 1][0], path[i][1] + path[i + 1][1]] + 1
+    return [*kept, path[-1]]
+
+
+def without_saw_teeth(path: Path) -> Path:
+    """Drop the middle one of three cells where the path turns by 135 degrees: where its angle is 45."""
+    kept: Path = []
+    for cell in path:
+        while len(kept) > 1 and (_direction(kept[-1], cell) - _direction(kept[-2], kept[-1])) % 8 in (3, 5):
+            kept.pop()
+        kept.append(cell)
+    return kept
+
+
+def without_detours(path: Path, moves: Moves) -> Path:
+    """From each cell go on to that neighbour which comes last on the path (Fig. 6)."""
+    place = {cell: i for i, cell in enumerate(path)}
+    kept = [path[0]]
+    while kept[-1] != path[-1]:
+        kept.append(path[max(place.get(cell, -1) for cell in moves[kept[-1]].values())])
+    return kept
+
+
+def optimised(path: Path, moves: Moves) -> Path:
+    """The geometric post-optimiser (Sect. 3.3): its three rules, until nothing changes."""
+    shorter = without_detours(without_saw_teeth(without_crossings(path)), moves)
+    return path if shorter == path else optimised(shorter, moves)
+
+
+def run(grid: Any, colony: Colony, seed: int) -> Found:
+    """Run one trial (Sect. 3.4)."""
+    random, found, best = Random(seed), Found(), math.inf
+    moves, forces = moves_of(grid), forces_of(grid, colony)
+    eta = desirability_of(grid, colony, forces)
+    desire = {edge: level**colony.beta for edge, level in eta.items()}
+    tau = dict.fromkeys(eta, colony.tau0)
+    diffuse = {"pd": diffuse_gaussian, "pdg": diffuse_gaussian, "pf": diffuse_luo_wu}.get(colony.algo)
+
+    def walk() -> Path | None:
+        path, visited = [grid.start], {grid.start}
+        while (cell := path[-1]) != grid.goal:
+            if diffuse:
+                diffuse(tau, cell, forces[cell], colony.gamma)
+            ways = [(d, target) for d, target in sorted(moves[cell].items()) if target not in visited]
+            weights = [tau[cell, d] ** colony.alpha * desire[cell, d] for d, _ in ways]
+            sums, drawn = list(accumulate(weights)), random.uniform()
+            if not ways:
+                return None
+            if sums[-1] > 0:
+                target = next(t for (_, t), s in zip(ways, sums, strict=True) if s > drawn * sums[-1])
+            else:
+                target = ways[int(random.uniform() * len(ways))][1]
+            path.append(target)
+            visited.add(target)
+            found.steps += 1
+        return path
+
+    def update(paths: list[Path]) -> None:
+        for edge in tau:
+            tau[edge] *= 1 - colony.rho
+        for path in paths:
+            for a, b in pairwise(path):
+                tau[a, _direction(a, b)] += colony.q / length_of(pair_of(path))
+
+    for _ in range(colony.iterations):
+        walks = [walk() for _ in range(colony.ants)]
+        arrived = [path for path in walks if path]
+        shortened = [optimised(path, moves) if colony.algo == "pdg" else path for path in arrived]
+        update(arrived)
+        if colony.algo == "pdg":
+            update(shortened)
+        found.lost.append(len(walks) - len(arrived))
+        found.curve.append(min(map(pair_of, shortened), key=length_of, default=None))
+        for raw, path in zip(arrived, shortened, strict=True):
+            if length_of(pair_of(path)) < best:
+                best, found.path = length_of(pair_of(path)), path
+                found.raw_path = raw if colony.algo == "pdg" else None
+    return found
+
+
+def _direction(a: Cell, b: Cell) -> int:
+    return STEPS.index((b[0] - a[0], b[1] - a[1]))

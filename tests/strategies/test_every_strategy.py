@@ -1,0 +1,32 @@
+"""Every strategy that is registered, by whomever, does in the paper's colony what a part has to do."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from reference import length_of, pair_of
+from samples import as_cells, everything, is_way, optimum_of, random_grid
+
+import acoexp
+from acoexp import registry
+from acoexp.presets import find_preset
+from acoexp.registry import STRATEGY_GROUPS
+
+STRATEGIES = [(group, name) for group in STRATEGY_GROUPS for name in registry.entries(group)]
+
+
+@pytest.mark.parametrize(("group", "name"), STRATEGIES, ids=map("-".join, STRATEGIES))
+def test_swapped_into_pdg_it_finds_ways_and_the_same_ones_however_it_is_run(group: str, name: str) -> None:
+    grid, seeds = random_grid(5, 12, 15, "no_cut"), range(6)
+    settings: dict[str, Any] = {group: name, "ants": 4, "iterations": 12}
+    single = [acoexp.solve(grid, "pdg", seed, **settings) for seed in seeds]
+    for result in single:
+        path = as_cells(result.path)
+        assert path is not None
+        assert is_way(grid, path)
+        assert length_of(optimum_of(grid)) <= length_of(pair_of(path))
+        assert result.algo == ("pdg" if find_preset("pdg").parts[group] == name else "custom")
+    for threads in (1, 3):
+        batch = acoexp.solve_many(grid, "pdg", seeds, threads=threads, **settings)
+        assert list(map(everything, batch)) == list(map(everything, single))

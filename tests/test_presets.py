@@ -1,0 +1,53 @@
+"""Presets: the four algorithms as combinations of parts, in files that Python and Hydra both read."""
+
+from __future__ import annotations
+
+import pytest
+
+from acoexp import SettingsError, registry
+from acoexp.presets import conf_dir, find_preset, preset_names
+from acoexp.settings import resolve
+
+TABLE = {
+    #       heuristic          choice      diffusion   post         update
+    "aco": ("goal_distance", "roulette", "none", "none", "ant_cycle"),
+    "pd": ("goal_distance", "roulette", "gaussian", "none", "ant_cycle"),
+    "pdg": ("goal_distance", "roulette", "gaussian", "geometric", "dual_ant_cycle"),
+    "pf": ("potential_field", "roulette", "luo_wu", "none", "ant_cycle"),
+}
+
+
+def test_there_are_four_algorithms() -> None:
+    assert preset_names() == sorted(TABLE)
+
+
+@pytest.mark.parametrize("algo", TABLE)
+def test_an_algorithm_is_a_combination_of_parts(algo: str) -> None:
+    assert tuple(find_preset(algo).parts[group] for group in registry.STRATEGY_GROUPS) == TABLE[algo]
+
+
+@pytest.mark.parametrize("algo", TABLE)
+def test_a_preset_resolves_to_its_own_parts_and_label(algo: str) -> None:
+    settings = resolve(algo, {})
+    assert settings.label == algo
+    assert tuple(settings.names.values()) == TABLE[algo]
+    for group, part in settings.parts.items():
+        assert type(part) is registry.find(group, settings.names[group])
+
+
+@pytest.mark.parametrize("algo", TABLE)
+def test_a_preset_says_in_one_line_what_it_is(algo: str) -> None:
+    preset = find_preset(algo)
+    assert preset.name == algo
+    assert len(preset.summary) > 20
+    assert not preset.summary.startswith(("@", "#"))
+
+
+def test_an_unknown_algorithm_is_refused_with_those_that_are_known() -> None:
+    with pytest.raises(SettingsError) as caught:
+        find_preset("acs")
+    assert str(caught.value) == "algo: expected one of: aco, pd, pdg, pf; got 'acs'"
+
+
+def test_presets_are_hydras_own_files() -> None:
+    assert {path.stem for path in (conf_dir() / "algo").glob("*.yaml")} == set(TABLE)
