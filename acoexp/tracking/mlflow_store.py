@@ -50,7 +50,7 @@ class MlflowTracker:
         Raises:
             TrackingError: if the store cannot be reached or written.
         """
-        with self._reporting("cannot be opened"):
+        with self._reporting("cannot be opened"), _few_retries():
             if self._file is not None:
                 self._file.parent.mkdir(parents=True, exist_ok=True)
             # several processes that migrate one fresh database at once all fail
@@ -123,6 +123,20 @@ class MlflowTracker:
             raise TrackingError(
                 f"tracking.uri: expected an MLflow store that can be written; {self.uri} {what}: {reason}"
             ) from problem
+
+
+@contextmanager
+def _few_retries() -> Iterator[None]:
+    """Let MLflow give up within seconds on a server that is not there; by default it takes minutes."""
+    key = "MLFLOW_HTTP_REQUEST_MAX_RETRIES"
+    if key in os.environ:
+        yield
+        return
+    os.environ[key] = "2"
+    try:
+        yield
+    finally:
+        del os.environ[key]
 
 
 def _metrics(trial: Trial, now: int) -> Iterator[Metric]:

@@ -1,0 +1,154 @@
+"""What goes wrong while a sweep runs: finished trials stay, the table is printed, the status tells."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from running import QUICK, environment, records, run_acoexp, trials
+
+posix = pytest.mark.skipif(os.name != "posix", reason="signals and pseudo terminals of POSIX")
+
+PART = '''
+from dataclasses import dataclass
+
+from acoexp.colony.compiled import compiled
+from acoexp.strategies import Heuristic, Post
+
+
+@compiled
+def forget(colony, own, cells, count):
+    return 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class Forgetful(Post):
+    """Forgets the whole path but its first cell."""
+
+    kernel = staticmethod(forget)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Raising(Heuristic):
+    """Raises."""
+
+    def eta(self, problem):
+        raise ZeroDivisionError("too bad")
+'''
+ENTRIES = """
+[acoexp.post]
+forgetful = faulty_parts:Forgetful
+
+[acoexp.heuristic]
+raising = faulty_parts:Raising
+absent = no_such_package:Absent
+"""
+
+
+@pytest.fixture(scope="module")
+def plugin(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """Return the environment in which a package with faulty parts is installed."""
+    site = tmp_path_factory.mktemp("site")
+    (site / "faulty_parts").mkdir()
+    (site / "faulty_parts" / "__init__.py").write_text(PART, encoding="utf-8")
+    metadata = site / "faulty_parts-1.0.dist-info"
+    metadata.mkdir()
+    (metadata / "METADATA").write_text(
+        "Metadata-Version: 2.1\nName: faulty-parts\nVersion: 1.0\n", encoding="utf-8"
+    )
+    (metadata / "entry_points.txt").write_text(ENTRIES, encoding="utf-8")
+    return {"PYTHONPATH": os.pathsep.join([str(site), *filter(None, [os.environ.get("PYTHONPATH")])])}
+
+
+@pytest.mark.parametrize(
+    ("bad", "good", "said"),
+    [
+        ("post=forgetful", "geometric", "post 'forgetful' returned what is no path from start to goal"),
+        ("heuristic=raising", "goal_distance", "heuristic 'raising'"),
+    ],
+)
+def test_a_part_that_breaks_its_contract_fails_its_own_jobs_alone(
+    bad: str, good: str, said: str, plugin: dict[str, str], tmp_path: Path
+) -> None:
+    group, _, name = bad.partition("=")
+    ended = run_acoexp(f"{group}={name},{good}", "-m", "seed=0,1", *QUICK, "ants=9", cwd=tmp_path, env=plugin)
+    assert ended.returncode == 1
+    assert said in ended.stderr.splitlines()[-1]
+    assert ended.stderr.splitlines()[-1].startswith("acoexp: error: ")
+    assert "Traceback" not in ended.stderr
+    assert "2 of 4 trials finished" in ended.stdout
+    assert [trial["config"][f"{group}.name"] for trial in trials(tmp_path)] == [good, good]
+
+
+def test_a_part_whose_package_is_broken_is_refused_before_anything_runs(
+    plugin: dict[str, str], tmp_path: Path
+) -> None:
+    ended = run_acoexp("heuristic=goal_distance,absent", "-m", *QUICK, cwd=tmp_path, env=plugin)
+    assert ended.returncode == 1
+    assert ended.stderr.startswith(
+        "acoexp: error: heuristic 'absent' of package faulty-parts 1.0 cannot be imported"
+    )
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_broken_package_harms_nobody_who_does_not_use_it(plugin: dict[str, str], tmp_path: Path) -> None:
+    ended = run_acoexp("--help", cwd=tmp_path, env=plugin)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert "Forgets the whole path" in ended.stdout
+
+
+@posix
+def test_an_interrupted_sweep_keeps_its_finished_trials(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "acoexp", "-m", "seed=0-39", *QUICK]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, env=environment(), text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    deadline = time.monotonic() + 60.0
+    while len(records(tmp_path)) < 3:
+        assert process.poll() is None
+        assert time.monotonic() < deadline
+        time.sleep(0.005)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=30.0)
+    assert process.returncode == 130
+    finished = trials(tmp_path)  # every record that is there can be read
+    assert 3 <= len(finished) < 40
+    assert f"{len(finished)} of 40 trials finished" in out
+    assert "acoexp: interrupted; what was finished is kept" in err
+    assert "Traceback" not in err
+
+
+@posix
+def test_a_progress_bar_shows_on_a_terminal_alone(tmp_path: Path) -> None:
+    import pty
+
+    ours, theirs = pty.openpty()
+    try:
+        ended = subprocess.run(
+            [sys.executable, "-m", "acoexp", "-m", "seed=0-9", *QUICK],
+            cwd=tmp_path,
+            env=environment({"TERM": "xterm"}),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=theirs,
+            timeout=60.0,
+            check=True,
+        )
+        shown = os.read(ours, 1 << 16).decode(errors="replace")
+    finally:
+        os.close(ours)
+        os.close(theirs)
+    assert "trials" in shown
+    assert "/10" in shown
+    assert b"\x1b" not in ended.stdout
+
+
+def test_where_nobody_watches_there_is_no_bar(tmp_path: Path) -> None:
+    ended = run_acoexp("-m", "seed=0-1", *QUICK, cwd=tmp_path, env={"TERM": "xterm", "FORCE_COLOR": ""})
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert "\x1b" not in ended.stdout

@@ -1,0 +1,106 @@
+"""A real MLflow server as the store, and one that is not there."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from mlflow import MlflowClient
+from running import environment, refusal, run_acoexp, trials
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="stops the server's process group")
+
+
+def free_port() -> int:
+    """Return a port that nobody listens on."""
+    with socket.socket() as sock:
+        sock.bind(("127.0.0.1", 0))
+        return int(sock.getsockname()[1])
+
+
+def answers(uri: str) -> bool:
+    """Tell whether a server is up."""
+    try:
+        with urllib.request.urlopen(f"{uri}/health", timeout=5.0) as response:
+            return bool(response.status == 200)
+    except (urllib.error.URLError, OSError):
+        return False
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Run an MLflow server and return its address."""
+    home = tmp_path_factory.mktemp("server")
+    uri = f"http://127.0.0.1:{free_port()}"
+    options = ["--backend-store-uri", f"sqlite:///{home}/served.db", "--artifacts-destination", f"{home}/served"]
+    with (home / "log").open("w") as log:
+        process = subprocess.Popen(
+            [
+                sys.executable,
+                "-m",
+                "mlflow",
+                "server",
+                *options,
+                "--port",
+                uri.rpartition(":")[2],
+                "--workers",
+                "1",
+            ],
+            cwd=home,
+            env=environment(),
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,  # it has children, which end with it
+        )
+    try:
+        deadline = time.monotonic() + 90.0
+        while not answers(uri):
+            assert process.poll() is None, (home / "log").read_text()
+            assert time.monotonic() < deadline
+            time.sleep(0.1)
+        yield uri
+    finally:
+        os.killpg(process.pid, signal.SIGKILL)  # at once: nobody needs its store any more
+        process.wait(timeout=30.0)
+
+
+def test_a_server_takes_the_runs_of_a_sweep_and_what_is_too_long(server: str, tmp_path: Path) -> None:
+    folder = Path(*(["a" * 200] * 3))
+    (tmp_path / folder).mkdir(parents=True)
+    (tmp_path / folder / "yard.txt").write_text("S..\n...\n..G\n", encoding="utf-8")
+    ended = run_acoexp(
+        "map=file",
+        f"map.path={folder}/yard.txt",
+        "-m",
+        "seed=0,1",
+        f"tracking.uri={server}",
+        "iterations=3",
+        cwd=tmp_path,
+    )
+    assert ended.returncode == 0, ended.stderr
+    client = MlflowClient(server)
+    runs = client.search_runs([client.get_experiment_by_name("acoexp").experiment_id])
+    assert {run.data.params["seed"] for run in runs} == {"0", "1"}
+    assert {run.info.status for run in runs} == {"FINISHED"}
+    assert {run.data.metrics["l1"] for run in runs} == {trial["l1"] for trial in trials(tmp_path)}
+    for run in runs:
+        file = client.download_artifacts(run.info.run_id, "params/map.path.txt", str(tmp_path))
+        assert Path(file).read_text(encoding="utf-8") == f"{folder}/yard.txt"
+    assert not list(tmp_path.rglob("*.db"))
+
+
+def test_a_server_that_is_not_there_is_told_soon_and_in_one_line(tmp_path: Path) -> None:
+    uri = f"http://127.0.0.1:{free_port()}"
+    message = refusal(f"tracking.uri={uri}", "iterations=3", cwd=tmp_path, timeout=30.0)
+    assert message.startswith(
+        f"tracking.uri: expected an MLflow store that can be written; {uri} cannot be opened"
+    )
