@@ -56,7 +56,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
                 "1",
             ],
             cwd=home,
-            env=environment(),
+            env=environment({"MLFLOW_SERVER_ENABLE_JOB_EXECUTION": "false"}),  # no helpers that outlive it
             stdout=log,
             stderr=subprocess.STDOUT,
             start_new_session=True,  # it has children, which end with it
