@@ -13,16 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.cache import compile_once
-from acoexp.colony.loop import Own, Record, make_loop
+from acoexp.colony.loop import NO_PATH, Own, Record, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Colony, Trails, new_colony, new_trails
-from acoexp.errors import AcoexpError, MapError, SettingsError, StrategyError
+from acoexp.errors import AcoexpError, SettingsError, StrategyError
 from acoexp.grid import DIRECTIONS, Grid
 from acoexp.result import Result
 from acoexp.settings import Settings, check_seed
 
 DESIRABILITY_LIMIT = 1e200
 """eta^beta is cut off here: with pheromone's own bound, no sum of weights overflows."""
+
+_STEPS = np.array(DIRECTIONS, dtype=np.int64)
 
 _loop = lru_cache(maxsize=None)(make_loop)
 
@@ -105,31 +107,33 @@ class Solver:
     def _trial(self, workspace: Workspace, seed: int) -> Result:
         record = _new_record(self.settings.scalars.iterations)
         _restore(workspace.own, workspace.pristine)
-        broken = self._run(workspace, record, np.uint64(seed))
-        if broken:
-            raise StrategyError(
-                f"post {self.settings.names['post']!r} returned what is no path from start to goal, in cycle "
-                f"{broken} of seed {seed}; expected allowed moves from start to goal"
-            )
+        self._check(self._run(workspace, record, np.uint64(seed)), seed)
         best, curve = workspace.best, np.stack([record.straight, record.steps - record.straight], axis=1)
         curve[record.steps < 0] = -1
         arrived = bool(np.isfinite(best.length[0]))
-        try:
-            path = self._path(best, 0) if arrived else None
-        except MapError as problem:
-            raise StrategyError(
-                f"choice {self.settings.names['choice']!r} broke its contract, seed {seed}: {problem}"
-            ) from problem
         return Result(
             algo=self.settings.label,
             seed=seed,
             grid=self.grid,
-            path=path,
+            path=self._path(best, 0) if arrived else None,
             raw_path=self._path(best, 1) if arrived and self._has_post else None,
             curve_pairs=curve,
             lost_ants=record.lost,
             ant_steps=int(record.ant_steps[0]),
         )
+
+    def _check(self, verdict: int, seed: int) -> None:
+        """Blame the part that broke its contract, if one did."""
+        if verdict > 0:
+            raise StrategyError(
+                f"post {self.settings.names['post']!r} returned what is no path from start to goal, in cycle "
+                f"{verdict} of seed {seed}; expected allowed moves from start to goal"
+            )
+        if verdict == NO_PATH:
+            raise StrategyError(
+                f"choice {self.settings.names['choice']!r} broke its contract, seed {seed}: it made moves that are "
+                f"not allowed under the rule {self.grid.moves!r}; expected an open one, or LOST"
+            )
 
     def _run(self, workspace: Workspace, record: Record, seed: np.uint64) -> int:
         w = workspace
@@ -163,11 +167,11 @@ class Solver:
         )
 
     def _path(self, trails: Trails, row: int) -> NDArray[np.int64]:
-        """Return a trail as cells int[n, 2], checked against the map."""
-        moves = trails.moves[row, : trails.steps[row]]
-        steps = np.array(DIRECTIONS)[moves]
-        path = np.concatenate([[self.grid.start], self.grid.start + np.cumsum(steps, axis=0)])
-        self.grid.measure(path)
+        """Return a trail, which the loop has checked, as cells int[n, 2]."""
+        path = np.empty((trails.steps[row] + 1, 2), dtype=np.int64)
+        path[0] = self.grid.start
+        np.cumsum(_STEPS[trails.moves[row, : trails.steps[row]]], axis=0, out=path[1:])
+        path[1:] += path[0]
         return path
 
     def _ask(self, group: str, method: str) -> Any:

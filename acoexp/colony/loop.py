@@ -17,9 +17,12 @@ from acoexp.colony.pheromone import refresh, reset
 from acoexp.colony.random import seed_stream
 from acoexp.colony.state import LOST, NO_WAY_HERE
 from acoexp.colony.tabu import forget, touch
-from acoexp.colony.trails import copy_trail, measure, read_cells, write_cells
+from acoexp.colony.trails import copy_trail, leads_to_goal, measure, read_cells, write_cells
 
 Kernel = Callable[..., Any]
+
+NO_PATH = -1
+"""What the loop returns if the ants' choices led along moves that are not allowed."""
 
 
 class Own(NamedTuple):
@@ -53,8 +56,8 @@ def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: 
     It takes ``(colony, own, initial, raw, final, best, cells, record, seed)``: the colony; the parts' own
     state; the initial pheromone; trails for the paths as walked and as optimised (one object if there is no
     post-optimiser); trails of two rows for the run's best path, optimised and as walked; room for a path as
-    cells; the record to fill; the seed. It returns 0, or 1 + the cycle in which the post-optimiser returned
-    what is no path.
+    cells; the record to fill; the seed. It returns 0; or the cycle in which the post-optimiser returned what is
+    no path; or ``NO_PATH``.
     """
     polish = _polish_by(optimise) if optimise is not None else _leave_as_walked
 
@@ -98,6 +101,9 @@ def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: 
             _note_best(raw, final, best, record, cycle)
             update(colony, own.update, raw, final, best)
             refresh(colony)
+        for row in range(2):
+            if best.length[row] < np.inf and not leads_to_goal(colony, best, row):
+                return NO_PATH
         return 0
 
     return run

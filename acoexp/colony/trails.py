@@ -48,6 +48,18 @@ def write_cells(colony: Any, cells: Any, count: Any, trails: Any, ant: Any) -> A
 
 
 @compiled
+def leads_to_goal(colony: Any, trails: Any, row: Any) -> Any:
+    """Tell whether a trail is made of allowed moves and ends at the goal."""
+    cell = colony.start
+    for step in range(trails.steps[row]):
+        move = trails.moves[row, step]
+        if not colony.allowed[cell] >> move & 1:
+            return False
+        cell += colony.offsets[move]
+    return cell == colony.goal
+
+
+@compiled
 def copy_trail(source: Any, ant: Any, target: Any, row: Any) -> None:
     """Copy one ant's path into a row of other trails."""
     steps = source.steps[ant]

@@ -106,7 +106,10 @@ def test_what_a_part_wrote_to_its_own_state_is_forgotten_before_the_next_trial()
 
 @pytest.mark.parametrize("value", [-1.0, np.nan, np.inf])
 def test_a_heuristic_that_is_negative_or_not_finite_is_reported(value: float) -> None:
-    with pytest.raises(StrategyError, match=r"heuristic 'Constant': expected eta to return numbers that are finite, and at least 0"):
+    with pytest.raises(
+        StrategyError,
+        match=r"heuristic 'Constant': expected eta to return numbers that are finite, and at least 0",
+    ):
         acoexp.solve(algo="aco", heuristic=Constant(value), **CORNER)
 
 
