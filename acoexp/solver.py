@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
+from collections import deque
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
-from queue import SimpleQueue
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,12 +33,12 @@ class Workspace(NamedTuple):
     """The memory of one worker, used for one trial after the other.
 
     Attributes:
-        pristine: The parts' own states as prepared, to which ``own`` is brought back before a trial.
+        to_restore: Arrays of ``own`` that kernels may write to, each with what it is before a trial.
     """
 
     colony: Colony
     own: Own
-    pristine: Own
+    to_restore: list[tuple[NDArray[Any], NDArray[Any]]]
     raw: Trails
     final: Trails
     best: Trails
@@ -87,37 +87,44 @@ class Solver:
         if not isinstance(seeds, Iterable):
             raise SettingsError(f"seeds: expected whole numbers, such as range(10); got {seeds!r}")
         checked = [check_seed(seed) for seed in seeds]
+        results: list[Result | None] = [None] * len(checked)
+        waiting = deque(enumerate(checked))
+
+        def work() -> None:
+            workspace = self._new_workspace()
+            while waiting:
+                try:
+                    place, seed = waiting.popleft()
+                except IndexError:  # another thread was quicker
+                    return
+                results[place] = self._trial(workspace, seed)
+
         workers = min(_check_threads(threads), max(1, len(checked)))
-        idle: SimpleQueue[Workspace] = SimpleQueue()
-        for _ in range(workers):
-            idle.put(self._new_workspace())
-
-        def trial(seed: int) -> Result:
-            workspace = idle.get()
-            try:
-                return self._trial(workspace, seed)
-            finally:
-                idle.put(workspace)
-
         if workers == 1:
-            return [trial(seed) for seed in checked]
-        with ThreadPoolExecutor(workers) as pool:
-            return list(pool.map(trial, checked))
+            work()
+        else:
+            with ThreadPoolExecutor(workers) as pool:
+                try:
+                    for done in [pool.submit(work) for _ in range(workers)]:
+                        done.result()
+                finally:
+                    waiting.clear()
+        return cast(list[Result], results)
 
     def _trial(self, workspace: Workspace, seed: int) -> Result:
         record = _new_record(self.settings.scalars.iterations)
-        _restore(workspace.own, workspace.pristine)
+        for array, pristine in workspace.to_restore:
+            np.copyto(array, pristine)
         self._check(self._run(workspace, record, np.uint64(seed)), seed)
-        best, curve = workspace.best, np.stack([record.straight, record.steps - record.straight], axis=1)
-        curve[record.steps < 0] = -1
-        arrived = bool(np.isfinite(best.length[0]))
+        best = workspace.best
+        arrived = best.length[0] < np.inf
         return Result(
             algo=self.settings.label,
             seed=seed,
             grid=self.grid,
             path=self._path(best, 0) if arrived else None,
             raw_path=self._path(best, 1) if arrived and self._has_post else None,
-            curve_pairs=curve,
+            curve_pairs=record.pairs,
             lost_ants=record.lost,
             ant_steps=int(record.ant_steps[0]),
         )
@@ -127,18 +134,21 @@ class Solver:
         if verdict > 0:
             raise StrategyError(
                 f"post {self.settings.names['post']!r} returned what is no path from start to goal, in cycle "
-                f"{verdict} of seed {seed}; expected allowed moves from start to goal"
+                f"{verdict} of seed {seed}; expected allowed moves"
             )
         if verdict == NO_PATH:
             raise StrategyError(
-                f"choice {self.settings.names['choice']!r} broke its contract, seed {seed}: it made moves that are "
-                f"not allowed under the rule {self.grid.moves!r}; expected an open one, or LOST"
+                f"choice {self.settings.names['choice']!r} broke its contract, seed {seed}: it made moves "
+                f"that are not allowed under the rule {self.grid.moves!r}; expected an open one, or LOST"
             )
 
     def _run(self, workspace: Workspace, record: Record, seed: np.uint64) -> int:
         w = workspace
-        with np.errstate(over="ignore"):  # uint64 wraps around on purpose, which matters without the JIT
-            return int(self._loop(w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed))
+        arguments = (w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed)
+        if hasattr(self._loop, "signatures"):
+            return int(self._loop(*arguments))
+        with np.errstate(over="ignore"):  # without the JIT; uint64 wraps around on purpose
+            return int(self._loop(*arguments))
 
     def _compile(self, kernels: tuple[Any, ...]) -> None:
         w = self._new_workspace()
@@ -156,10 +166,11 @@ class Solver:
         colony = new_colony(self._problem, self._desirability)
         ants, cells = self.settings.scalars.ants, colony.untouched.size
         raw = new_trails(ants, cells)
+        own = Own(*(_copied(state) for state in self._own))
         return Workspace(
             colony=colony,
-            own=Own(*(_copied(state) for state in self._own)),
-            pristine=self._own,
+            own=own,
+            to_restore=list(zip(_writable(own), _writable(self._own), strict=True)),
             raw=raw,
             final=new_trails(ants, cells) if self._has_post else raw,
             best=new_trails(2, cells),
@@ -215,8 +226,8 @@ class Solver:
 
 
 def _new_record(iterations: int) -> Record:
-    straight, steps, lost = np.empty((3, iterations), dtype=np.int32)
-    return Record(straight, steps, lost, np.zeros(1, dtype=np.int64))
+    pairs, lost = np.empty((iterations, 2), dtype=np.int32), np.empty(iterations, dtype=np.int32)
+    return Record(pairs, lost, np.zeros(1, dtype=np.int64))
 
 
 def _copied(state: Any) -> Any:
@@ -225,12 +236,10 @@ def _copied(state: Any) -> Any:
     return type(state)(*values) if hasattr(state, "_fields") else tuple(values)
 
 
-def _restore(own: Own, pristine: Own) -> None:
-    """Bring the arrays that parts may write to back to what they were before the first trial."""
-    for state, prepared in zip(own, pristine, strict=True):
-        for value, original in zip(state, prepared, strict=True):
-            if isinstance(value, np.ndarray) and value.flags.writeable:
-                np.copyto(value, original)
+def _writable(own: Own) -> list[NDArray[Any]]:
+    """Return the arrays of the parts' own states that kernels may write to."""
+    values = (value for state in own for value in state)
+    return [value for value in values if isinstance(value, np.ndarray) and value.flags.writeable]
 
 
 def _gist(problem: Exception) -> str:

@@ -38,14 +38,13 @@ class Record(NamedTuple):
     """What one trial leaves behind, besides its best path.
 
     Attributes:
-        straight, steps: int32[iterations], the straight and all moves of the best path found in each cycle;
-            -1 where all ants were lost.
+        pairs: int32[iterations, 2], the straight and diagonal moves of the best path found in each cycle; -1
+            where all ants were lost.
         lost: int32[iterations], ants lost in each cycle.
         ant_steps: int64[1], moves made by all ants together.
     """
 
-    straight: NDArray[np.int32]
-    steps: NDArray[np.int32]
+    pairs: NDArray[np.int32]
     lost: NDArray[np.int32]
     ant_steps: NDArray[np.int64]
 
@@ -116,8 +115,7 @@ def _begin(colony: Any, initial: Any, best: Any, record: Any, seed: Any) -> None
     reset(colony, initial)
     colony.untouched[:] = 1.0
     best.length[:] = np.inf
-    record.straight[:] = -1
-    record.steps[:] = -1
+    record.pairs[:] = -1
     record.lost[:] = 0
     record.ant_steps[0] = 0
 
@@ -133,8 +131,8 @@ def _note_best(raw: Any, final: Any, best: Any, record: Any, cycle: Any) -> None
     if winner < 0:
         return
     source = final if final.length[winner] <= raw.length[winner] else raw
-    record.straight[cycle] = source.straight[winner]
-    record.steps[cycle] = source.steps[winner]
+    record.pairs[cycle, 0] = source.straight[winner]
+    record.pairs[cycle, 1] = source.steps[winner] - source.straight[winner]
     if shortest < best.length[0]:
         copy_trail(source, winner, best, 0)
         copy_trail(raw, winner, best, 1)

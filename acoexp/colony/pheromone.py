@@ -78,15 +78,16 @@ def lay(colony: Any, trails: Any, ant: Any, amount: Any) -> None:
     share = min(amount / colony.scale[0], _HIGHEST_SHARE)
     cell = colony.start
     for step in range(trails.steps[ant]):
-        move = trails.moves[ant, step]
-        edge = cell * 8 + move
-        colony.stored[edge] += share
-        if colony.stored[edge] <= colony.highest_stored:
+        move = trails.moves[np.uintp(ant), np.uintp(step)]
+        edge = np.uintp(cell * 8 + move)
+        stored = colony.stored[edge] + share
+        colony.stored[edge] = stored
+        if stored <= colony.highest_stored:
             _let_wait(colony, edge)
         else:
             _normalise(colony)
             share = amount / colony.scale[0]
-        cell += colony.offsets[move]
+        cell += colony.offsets[np.uintp(move)]
 
 
 @compiled

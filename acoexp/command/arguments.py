@@ -21,6 +21,10 @@ _RANGES = re.compile(r"\d+(-\d+)?(,\d+(-\d+)?)*")
 _WHOLE_KEYS = {"seed", *(name for name, field in fields_of(ColonySettings).items() if field.type == "int")}
 
 
+MOST_JOBS = 100_000
+"""Values that one key of a sweep may have; each job costs Hydra some 50 ms."""
+
+
 class Arguments(NamedTuple):
     """What Hydra gets, and the user's folder of options, which it gets in another way."""
 
@@ -41,7 +45,12 @@ def normalise(argv: list[str]) -> Arguments:
     parser = _parser()
     given, options = _split(argv, parser)
     flags = parser.parse_args(options)
-    for flag, value in (("--config-path", flags.config_path), ("--config-name", flags.config_name)):
+    replaced = {
+        "--config-path": flags.config_path,
+        "--config-name": flags.config_name,
+        "--experimental-rerun": flags.experimental_rerun,
+    }
+    for flag, value in replaced.items():
         if value is not None:
             raise SettingsError(
                 f"{flag}: expected overrides, or a folder with options of your own by --config-dir; got {value!r}"
@@ -107,7 +116,9 @@ def _expand(override: str) -> str:
         first, _, last = part.partition("-")
         if last and int(last) < int(first):
             raise SettingsError(f"{key}: expected a range from low to high, such as 0-9; got {part!r}")
-        numbers.extend(range(int(first), int(last or first) + 1))
+        numbers.extend(range(int(first), min(int(last or first), int(first) + MOST_JOBS) + 1))
+    if len(numbers) > MOST_JOBS:
+        raise SettingsError(f"{key}: expected at most {MOST_JOBS} values, each a job; got {value!r}")
     return f"{key}={','.join(map(str, numbers))}"
 
 

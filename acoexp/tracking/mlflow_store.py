@@ -8,6 +8,7 @@ from __future__ import annotations
 import logging
 import math
 import os
+import re
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
@@ -42,7 +43,8 @@ class MlflowTracker:
         file, mark, query = uri.removeprefix(_SQLITE).partition("?")
         self._file = Path(file).absolute() if uri.startswith(_SQLITE) else None
         self.uri = uri if self._file is None else f"{_SQLITE}{self._file}{mark}{query}"
-        self.where = f"MLflow experiment {EXPERIMENT!r} at {uri}"
+        self._shown = re.sub(r"//[^/@]*@", "//***@", uri)  # no password on a screen or in a log
+        self.where = f"MLflow experiment {EXPERIMENT!r} at {self._shown}"
 
     def prepare(self) -> None:
         """Create the store and the experiment if they are not there.
@@ -101,7 +103,7 @@ class MlflowTracker:
     def _experiment_id(self) -> str:
         experiment = self._client.get_experiment_by_name(EXPERIMENT)
         if experiment is None:
-            raise TrackingError(f"tracking.uri: no experiment {EXPERIMENT!r} at {self.uri}")
+            raise TrackingError(f"tracking.uri: no experiment {EXPERIMENT!r} at {self._shown}")
         return str(experiment.experiment_id)
 
     def _artifacts(self) -> str | None:
@@ -121,7 +123,7 @@ class MlflowTracker:
         except Exception as problem:
             reason = next(iter(str(problem).strip().splitlines()), type(problem).__name__)
             raise TrackingError(
-                f"tracking.uri: expected an MLflow store that can be written; {self.uri} {what}: {reason}"
+                f"tracking.uri: expected an MLflow store that can be written; {self._shown} {what}: {reason}"
             ) from problem
 
 

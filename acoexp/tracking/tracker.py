@@ -93,8 +93,8 @@ def open_tracker(config: Mapping[str, Any]) -> Tracker:
     if name == "none":
         return NoTracker()
     uri = config.get("uri")
-    if not isinstance(uri, str) or uri in ("", REQUIRED):
-        raise SettingsError(f"tracking.uri: expected the address of an MLflow store; got {uri!r}")
+    if not isinstance(uri, str) or uri in ("", REQUIRED) or ":memory:" in uri:
+        raise SettingsError(f"tracking.uri: expected the address of an MLflow store that lasts; got {uri!r}")
     return MlflowTracker(uri)
 
 

@@ -132,7 +132,7 @@ def checked(*overrides: str) -> str:
         ),
         ("seed=${nope}", "Interpolation key 'nope' not found"),
         ("tracking.name=nope", "tracking: expected one of: mlflow, none; got 'nope'"),
-        ("tracking.uri=''", "tracking.uri: expected the address of an MLflow store; got ''"),
+        ("tracking.uri=''", "tracking.uri: expected the address of an MLflow store that lasts; got ''"),
         ("report.name=nope", "report: expected one of: "),
         ("map=file", "map.path: expected a text; got nothing"),
         ("~map", "map: expected one of the options that --help lists; got None"),

@@ -86,7 +86,7 @@ def test_opening_a_store_touches_nothing_yet(tmp_path: Any, monkeypatch: pytest.
         ({"name": "wandb"}, "tracking: expected one of: mlflow, none; got 'wandb'"),
         ({}, "tracking: expected one of: mlflow, none; got None"),
         ({"name": "none", "uri": "x"}, "tracking.uri is not a known key of tracking=none"),
-        ({"name": "mlflow", "uri": 3}, "tracking.uri: expected the address of an MLflow store; got 3"),
+        ({"name": "mlflow", "uri": 3}, "tracking.uri: expected the address of an MLflow store that lasts; got 3"),
         ({"name": "mlflow", "uri": "???"}, "tracking.uri: expected the address"),
         ({"name": "mlflow"}, "tracking.uri: expected the address"),
     ],
