@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.features import Features, features_of
-from acoexp.grid import Grid, path_length
+from acoexp.grid import Grid, follow, path_length
 
 Pair = tuple[int, int]
 """A length as (straight, diagonal) moves, exact."""
@@ -24,8 +24,8 @@ class Result:
         algo: Label of the algorithm, ``custom`` if its parts are not a preset's.
         seed: The trial's seed.
         grid: The map.
-        path: int[n, 2], the run's best path as cells (row, column); None when no ant ever arrived.
-        raw_path: That path as the ant walked it, where a post-optimiser worked; else None.
+        moves: uint8[n], the directions of the run's best path; None when no ant ever arrived.
+        raw_moves: Those of that path as the ant walked it, where a post-optimiser worked; else None.
         curve_pairs: int[iterations, 2], (straight, diagonal) moves of the best path found in each cycle; -1
             where all ants were lost.
         lost_ants: int[iterations], ants lost in each cycle.
@@ -35,11 +35,21 @@ class Result:
     algo: str
     seed: int
     grid: Grid
-    path: NDArray[np.int64] | None
-    raw_path: NDArray[np.int64] | None
+    moves: NDArray[np.uint8] | None
+    raw_moves: NDArray[np.uint8] | None
     curve_pairs: NDArray[np.int32]
     lost_ants: NDArray[np.int32]
     ant_steps: int
+
+    @cached_property
+    def path(self) -> NDArray[np.int64] | None:
+        """The run's best path as cells (row, column), int[n, 2]; None when no ant ever arrived."""
+        return None if self.moves is None else follow(self.grid.start, self.moves)
+
+    @cached_property
+    def raw_path(self) -> NDArray[np.int64] | None:
+        """That path as the ant walked it, where a post-optimiser worked; else None."""
+        return None if self.raw_moves is None else follow(self.grid.start, self.raw_moves)
 
     @cached_property
     def curve(self) -> NDArray[np.float64]:

@@ -17,14 +17,12 @@ from acoexp.colony.loop import NO_PATH, Own, Record, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Colony, Trails, new_colony, new_trails
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
-from acoexp.grid import DIRECTIONS, Grid
+from acoexp.grid import Grid
 from acoexp.result import Result
 from acoexp.settings import Settings, check_seed
 
 DESIRABILITY_LIMIT = 1e200
 """eta^beta is cut off here: with pheromone's own bound, no sum of weights overflows."""
-
-_STEPS = np.array(DIRECTIONS, dtype=np.int64)
 
 _loop = lru_cache(maxsize=None)(make_loop)
 
@@ -122,8 +120,8 @@ class Solver:
             algo=self.settings.label,
             seed=seed,
             grid=self.grid,
-            path=self._path(best, 0) if arrived else None,
-            raw_path=self._path(best, 1) if arrived and self._has_post else None,
+            moves=_moves(best, 0) if arrived else None,
+            raw_moves=_moves(best, 1) if arrived and self._has_post else None,
             curve_pairs=record.pairs,
             lost_ants=record.lost,
             ant_steps=int(record.ant_steps[0]),
@@ -177,14 +175,6 @@ class Solver:
             cells=np.empty(cells if self._has_post else 1, dtype=np.int32),
         )
 
-    def _path(self, trails: Trails, row: int) -> NDArray[np.int64]:
-        """Return a trail, which the loop has checked, as cells int[n, 2]."""
-        path = np.empty((trails.steps[row] + 1, 2), dtype=np.int64)
-        path[0] = self.grid.start
-        np.cumsum(_STEPS[trails.moves[row, : trails.steps[row]]], axis=0, out=path[1:])
-        path[1:] += path[0]
-        return path
-
     def _ask(self, group: str, method: str) -> Any:
         """Call a part's method with the problem; what goes wrong there is told with the part's name."""
         try:
@@ -228,6 +218,10 @@ class Solver:
 def _new_record(iterations: int) -> Record:
     pairs, lost = np.empty((iterations, 2), dtype=np.int32), np.empty(iterations, dtype=np.int32)
     return Record(pairs, lost, np.zeros(1, dtype=np.int64))
+
+
+def _moves(trails: Trails, row: int) -> NDArray[np.uint8]:
+    return trails.moves[row, : trails.steps[row]].copy()
 
 
 def _copied(state: Any) -> Any:

@@ -1,6 +1,6 @@
 """The grid that paths are planned on: occupancy, start, goal, allowed moves, exact optimum."""
 
 from acoexp.grid.grid import Cell, Grid
-from acoexp.grid.moves import DIRECTIONS, MOVE_RULES, SQRT2, allowed_moves, path_length
+from acoexp.grid.moves import DIRECTIONS, MOVE_RULES, SQRT2, allowed_moves, follow, path_length
 
-__all__ = ["DIRECTIONS", "MOVE_RULES", "SQRT2", "Cell", "Grid", "allowed_moves", "path_length"]
+__all__ = ["DIRECTIONS", "MOVE_RULES", "SQRT2", "Cell", "Grid", "allowed_moves", "follow", "path_length"]

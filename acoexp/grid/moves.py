@@ -35,6 +35,12 @@ def path_length(straight: float, diagonal: float) -> float:
     return straight + diagonal * SQRT2
 
 
+def follow(start: tuple[int, int], moves: NDArray[np.uint8]) -> NDArray[np.int64]:
+    """Return the cells, int[n + 1, 2], that n moves lead over from a start."""
+    steps = np.array(DIRECTIONS, dtype=np.int64)[moves]
+    return np.concatenate([[start], start + np.cumsum(steps, axis=0)])
+
+
 def allowed_moves(obstacles: NDArray[np.bool_], rule: str) -> NDArray[np.uint8]:
     """Return the neighbour table of a map: which moves each cell allows.
 

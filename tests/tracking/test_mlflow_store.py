@@ -78,7 +78,7 @@ def test_cycles_in_which_all_ants_were_lost_have_no_point(uri: str, result: Resu
 
 
 def test_where_no_ant_ever_arrived_there_are_no_features(uri: str, result: Result) -> None:
-    nothing = dataclasses.replace(result, curve_pairs=np.full((5, 2), -1, dtype=np.int32), path=None)
+    nothing = dataclasses.replace(result, curve_pairs=np.full((5, 2), -1, dtype=np.int32), moves=None)
     run = log(uri, nothing)
     assert run.info.status == "FINISHED"
     assert set(run.data.metrics) == {"optimum", "lost_ants"}

@@ -28,8 +28,8 @@ CONFIG = {
 def trial(obstacles: Any = ((0, 0), (0, 0)), algo: str = "pdg", **changes: Any) -> Trial:
     """Return a trial, most of whose result does not matter here."""
     curve, lost = np.array([[0, 1]], dtype=np.int32), np.zeros(1, dtype=np.int32)
-    path = np.array([[0, 0], [1, 1]])
-    return Trial(Result(algo, 3, Grid(obstacles), path, None, curve, lost, 1), CONFIG | changes)
+    moves = np.array([7], dtype=np.uint8)
+    return Trial(Result(algo, 3, Grid(obstacles), moves, None, curve, lost, 1), CONFIG | changes)
 
 
 def test_a_nested_configuration_is_flattened_in_order() -> None:
