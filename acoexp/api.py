@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike
 from acoexp import registry
 from acoexp.errors import SettingsError
 from acoexp.grid import Cell, Grid
+from acoexp.maps.file import MapFile
 from acoexp.parameters import build
 from acoexp.result import Result
 from acoexp.settings import resolve
@@ -17,7 +19,7 @@ from acoexp.solver import Solver
 
 
 def solve(
-    map: str | Grid | ArrayLike,
+    map: str | Path | Grid | ArrayLike,
     algo: str = "pdg",
     seed: int = 0,
     *,
@@ -29,12 +31,13 @@ def solve(
     """Run one trial.
 
     Args:
-        map: A registered map's name, a :class:`~acoexp.grid.Grid`, or a 0/1 array [rows, cols].
+        map: A registered map's name, a :class:`~acoexp.grid.Grid`, a 0/1 array [rows, cols], or the ``Path`` of a
+            map file.
         algo: A preset: ``aco``, ``pd``, ``pdg``, ``pf``.
         seed: Whole number from 0 to 2^64 - 1; the same seed gives the same result.
-        start: Where the ants set out, with an array; by default (0, 0).
-        goal: Where they want to be, with an array; by default the opposite corner.
-        moves: Rule for diagonals, with an array; by default ``no_squeeze``.
+        start: Where the ants set out, with an array or a file; by default (0, 0).
+        goal: Where they want to be, with an array or a file; by default the opposite corner.
+        moves: Rule for diagonals, with an array or a file; by default ``no_squeeze``.
         settings: Scalars (``alpha beta rho ants iterations q tau0``), ``field`` as a mapping, and parts
             (``heuristic choice diffusion post update``) as a name, a mapping or an object:
             ``diffusion={"name": "gaussian", "gamma": 0.02}``.
@@ -48,9 +51,9 @@ def solve(
 
 
 def solve_many(
-    map: str | Grid | ArrayLike,
+    map: str | Path | Grid | ArrayLike,
     algo: str = "pdg",
-    seeds: Iterable[int] = range(10),
+    seeds: Iterable[int] = range(1000),
     *,
     threads: int | None = None,
     start: Cell | None = None,
@@ -77,13 +80,18 @@ def solve_many(
 
 
 def as_grid(
-    map: str | Grid | ArrayLike, start: Cell | None = None, goal: Cell | None = None, moves: str | None = None
+    map: str | Path | Grid | ArrayLike,
+    start: Cell | None = None,
+    goal: Cell | None = None,
+    moves: str | None = None,
 ) -> Grid:
     """Return the grid that a map's name, a grid or an array stands for; see :func:`solve`."""
     if isinstance(map, str | Grid) and (start is not None or goal is not None or moves is not None):
         raise SettingsError("start, goal and moves: expected only with a map given as an array; a map has its own")
     if isinstance(map, Grid):
         return map
+    if isinstance(map, Path):
+        return MapFile(path=str(map), start=start, goal=goal, moves=moves).load()
     if isinstance(map, str):
         grid: Grid = build(registry.find("map", map), {}, "map.").load()
         return grid

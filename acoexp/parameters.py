@@ -65,14 +65,17 @@ def build(owner: type, values: Mapping[str, Any], prefix: str = "") -> Any:
     Raises:
         SettingsError: for an unknown name, a missing value, a wrong type, or a value out of range.
     """
-    declared = fields_of(owner)
+    return owner(**check(owner, {**defaults_of(owner), **values}, prefix))
+
+
+def check(owner: type, values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Return values, each as the type that its parameter declares; raises as :func:`build` does."""
+    declared, hints = fields_of(owner), typing.get_type_hints(owner)
     for name in values:
         if name not in declared:
             known = ", ".join(prefix + other for other in declared) or "none: it has no parameters"
             raise SettingsError(f"{prefix}{name} is not a known key; expected one of: {known}")
-    hints = typing.get_type_hints(owner)
-    merged = {**defaults_of(owner), **values}
-    return owner(**{n: _checked(prefix + n, merged[n], hints[n], f) for n, f in declared.items()})
+    return {n: _checked(prefix + n, value, hints[n], declared[n]) for n, value in values.items()}
 
 
 def expected(hint: Any, field: dataclasses.Field[Any]) -> str:
@@ -81,29 +84,34 @@ def expected(hint: Any, field: dataclasses.Field[Any]) -> str:
     if rules["choices"]:
         return "one of: " + ", ".join(rules["choices"])
     nouns = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
-    kinds = [k for k in (typing.get_args(hint) or (hint,)) if k is not type(None)]
-    words = nouns.get(kinds[0], "a pair [row, column]")
+    words = {**nouns, tuple[str, ...]: "a list of texts"}.get(_kind(hint), "a pair [row, column]")
     if rules["minimum"] is not None and rules["maximum"] is not None:
         return f"{words} from {_shown(rules['minimum'])} to {_shown(rules['maximum'])}"
     if rules["minimum"] is not None:
         return f"{words}, at least {rules['minimum']:g}"
     if rules["above"] is not None:
-        return f"{words} above {rules['above']:g}"
+        upto = "" if rules["maximum"] is None else f", at most {_shown(rules['maximum'])}"
+        return f"{words} above {rules['above']:g}{upto}"
+    if rules["maximum"] is not None:
+        return f"{words}, at most {_shown(rules['maximum'])}"
     return words
 
 
 def _checked(key: str, value: Any, hint: Any, field: dataclasses.Field[Any]) -> Any:
     """Return ``value`` as its declared type, or raise."""
-    kinds = typing.get_args(hint) if typing.get_origin(hint) is not tuple else ()
-    optional = type(None) in kinds
-    if value is None and optional:
+    if value is None and type(None) in typing.get_args(hint):
         return None
-    kind = next((k for k in kinds if k is not type(None)), hint)
-    converted = _converted(value, kind)
+    converted = _converted(value, _kind(hint))
     if converted is None or not _within(converted, field.metadata):
         came = "nothing" if value is None or _is_missing(value) else repr(value)
         raise SettingsError(f"{key}: expected {expected(hint, field)}; got {came}")
     return converted
+
+
+def _kind(hint: Any) -> Any:
+    """Return what a parameter is where it is not None."""
+    kinds = typing.get_args(hint) if typing.get_origin(hint) is not tuple else ()
+    return next((k for k in kinds if k is not type(None)), hint)
 
 
 def _converted(value: Any, kind: Any) -> Any:
@@ -111,7 +119,7 @@ def _converted(value: Any, kind: Any) -> Any:
     if _is_missing(value):
         return None
     if typing.get_origin(kind) is tuple:
-        return _pair(value)
+        return _texts(value) if kind == tuple[str, ...] else _pair(value)
     if isinstance(value, np.generic):
         return _converted(value.item(), kind)
     if kind is float and not isinstance(value, bool) and isinstance(value, int | float):
@@ -135,6 +143,13 @@ def _pair(value: Any) -> tuple[int, int] | None:
         return None
     row, col = (_converted(part, int) for part in value)
     return None if row is None or col is None else (row, col)
+
+
+def _texts(value: Any) -> tuple[str, ...] | None:
+    """Return a list of texts as a tuple, or None."""
+    if not isinstance(value, list | tuple) or not all(isinstance(text, str) for text in value):
+        return None
+    return tuple(value)
 
 
 def _within(value: Any, rules: Mapping[str, Any]) -> bool:

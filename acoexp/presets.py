@@ -1,16 +1,22 @@
-"""Presets: the algorithms as named combinations of parts, read from the same YAML files that Hydra reads."""
+"""Presets: the algorithms as named combinations of parts, read from the same YAML files that Hydra reads.
+
+A package brings presets of its own by an entry point of the group ``acoexp.presets``, whose value is the
+package's name: each file in its folder ``conf/algo`` is one. Nothing of it is imported for that.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from importlib.metadata import entry_points
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import yaml
 
-from acoexp.errors import SettingsError
-from acoexp.registry import STRATEGY_GROUPS
+from acoexp.errors import SettingsError, StrategyError
+from acoexp.registry import STRATEGY_GROUPS, entries, package_named
 
 CUSTOM = "custom"
 """Label of results whose parts are not those of the preset they started from."""
@@ -40,9 +46,40 @@ def conf_dir() -> Path:
     return installed if installed.is_dir() else package.parent / "conf"
 
 
+@cache
+def plugin_conf_dirs() -> dict[Path, str]:
+    """Return the folders of configs that other packages bring, each with its package, in order of their names."""
+    found: dict[Path, str] = {}
+    for entry in sorted(entry_points(group="acoexp.presets"), key=lambda e: (e.value, e.name)):
+        try:
+            spec = find_spec(entry.value.partition(".")[0].strip())
+            folders = spec.submodule_search_locations if spec is not None else None
+        except (ImportError, ValueError):
+            continue
+        for folder in folders or ():
+            if (Path(folder) / "conf").is_dir():
+                found.setdefault(Path(folder) / "conf", package_named(entry))
+    return found
+
+
 def preset_names() -> list[str]:
     """Return the names of all presets, sorted."""
-    return sorted(path.stem for path in (conf_dir() / "algo").glob("*.yaml"))
+    return sorted(_files())
+
+
+def preset_package(name: str) -> str:
+    """Return the package, with its version, that brings a preset."""
+    return _files()[name][1]
+
+
+def _files() -> dict[str, tuple[Path, str]]:
+    """Return each preset's file and package; of several that have one name ours, or else the first."""
+    folders = {conf_dir(): package_named(entries("diffusion")["none"]), **plugin_conf_dirs()}
+    found: dict[str, tuple[Path, str]] = {}
+    for folder, package in folders.items():
+        for path in sorted((folder / "algo").glob("*.yaml")):
+            found.setdefault(path.stem, (path, package))
+    return found
 
 
 def find_preset(name: Any) -> Preset:
@@ -50,16 +87,27 @@ def find_preset(name: Any) -> Preset:
 
     Raises:
         SettingsError: if there is no such preset.
+        StrategyError: if its file is not one of a preset.
     """
-    if name not in preset_names():
+    if not isinstance(name, str) or name not in _files():
         raise SettingsError(f"algo: expected one of: {', '.join(preset_names())}; got {name!r}")
-    return _read(name)
+    path, package = _files()[name]
+    try:
+        return _read(name, path)
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, yaml.YAMLError) as problem:
+        reason = " ".join(f"{type(problem).__name__}: {problem}".split())
+        raise StrategyError(
+            f"algo {name!r} of package {package}: expected {path.name} to say algo: {name}, and in its defaults "
+            f"override /{', /'.join(STRATEGY_GROUPS)}; {reason}"
+        ) from problem
 
 
 @cache
-def _read(name: str) -> Preset:
-    text = (conf_dir() / "algo" / f"{name}.yaml").read_text(encoding="utf-8")
+def _read(name: str, path: Path) -> Preset:
+    text = path.read_text(encoding="utf-8")
     content = yaml.safe_load(text)
+    if content["algo"] != name:
+        raise ValueError(f"it says algo: {content['algo']}")
     overrides = (item for entry in content["defaults"] if isinstance(entry, dict) for item in entry.items())
     chosen = {group.removeprefix("override /"): part for group, part in overrides}
     values = {key: value for key, value in content.items() if key not in ("defaults", "algo")}

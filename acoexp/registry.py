@@ -5,6 +5,7 @@ A part is never imported before it is asked for, so one broken package harms nob
 
 from __future__ import annotations
 
+import logging
 from dataclasses import is_dataclass
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
@@ -12,7 +13,10 @@ from typing import Any
 
 from acoexp.errors import SettingsError, StrategyError
 from acoexp.maps.source import MapSource
-from acoexp.strategies.part import Choice, Diffusion, Heuristic, Post, Update
+from acoexp.report.report import Report
+from acoexp.strategies.part import CONTRACT, Choice, Diffusion, Heuristic, Post, Update
+
+log = logging.getLogger(__name__)
 
 STRATEGIES: dict[str, type] = {
     "heuristic": Heuristic,
@@ -31,20 +35,18 @@ GROUPS = (*STRATEGY_GROUPS, "map", "report")
 
 @cache
 def entries(group: str) -> dict[str, EntryPoint]:
-    """Return the entry points of one group by name, sorted.
+    """Return the entry points of one group by name, sorted; of several that use one name the first."""
+    return {name: claims[0] for name, claims in _claims(group).items()}
 
-    Raises:
-        StrategyError: if two packages use one name.
-    """
-    found: dict[str, EntryPoint] = {}
-    for entry in sorted(entry_points(group=f"acoexp.{group}"), key=lambda e: e.name):
-        other = found.get(entry.name)
-        if other is not None and other.value != entry.value:
-            raise StrategyError(
-                f"two packages call a {group} {entry.name!r}: {_package(other)} ({other.value}) and "
-                f"{_package(entry)} ({entry.value}); uninstall or rename one of them"
-            )
-        found[entry.name] = entry
+
+@cache
+def _claims(group: str) -> dict[str, list[EntryPoint]]:
+    """Return by name the entry points that lay claim to it, acoexp's own before all others."""
+    found: dict[str, list[EntryPoint]] = {}
+    for entry in sorted(entry_points(group=f"acoexp.{group}"), key=lambda e: (e.name, not _is_ours(e))):
+        claims = found.setdefault(entry.name, [])
+        if entry.value not in [claim.value for claim in claims]:
+            claims.append(entry)
     return found
 
 
@@ -58,11 +60,62 @@ def find(group: str, name: Any) -> Any:
 
     Raises:
         SettingsError: if there is no such name.
-        StrategyError: if its package cannot be imported.
+        StrategyError: if its package cannot be imported, asks for a newer contract, or shares the name with
+            another; a built-in part is found all the same, and the other is left out with a warning.
     """
     if not isinstance(name, str) or name not in entries(group):
         raise SettingsError(f"{group}: expected one of: {', '.join(names(group))}; got {name!r}")
+    _settle(group, name)
     return _load(entries(group)[name], group)
+
+
+def package_of(group: str, owner: type) -> str | None:
+    """Return the package, with its version, that registers a class in a group; None if none does."""
+    value = f"{owner.__module__}:{owner.__qualname__}"
+    packages = (package_named(entry) for entry in entries(group).values() if entry.value == value)
+    return next(packages, None)
+
+
+def package_named(entry: EntryPoint) -> str:
+    """Return the name and version of the package that an entry point is of."""
+    try:
+        return f"{entry.dist.name} {entry.dist.version}"  # type: ignore[union-attr]
+    except Exception:  # none, or its metadata is damaged
+        return "an unknown package"
+
+
+def clash(group: str, name: str) -> str | None:
+    """Say which packages use one name; None if only one does."""
+    claims = _claims(group)[name]
+    if len(claims) == 1:
+        return None
+    who = " and ".join(f"{package_named(entry)} ({entry.value})" for entry in claims)
+    return f"two packages call a {group} {name!r}: {who}; uninstall or rename one of them"
+
+
+def check_contract(group: str, name: str, owner: type) -> None:
+    """Refuse a part that was written for a newer contract than this one.
+
+    Raises:
+        StrategyError: if it was.
+    """
+    asked: Any = getattr(owner, "contract", CONTRACT)
+    if not isinstance(asked, int) or asked > CONTRACT:
+        package = package_of(group, owner)
+        raise StrategyError(
+            f"{group} {name!r}{f' of package {package}' if package else ''} asks for version {asked} of the "
+            f"contract, and this acoexp has version {CONTRACT}; update acoexp"
+        )
+
+
+@cache
+def _settle(group: str, name: str) -> None:
+    """Raise if a name stands for two parts, unless one is built in; then the other is told of, once."""
+    problem = clash(group, name)
+    if problem is not None and not _is_ours(entries(group)[name]):
+        raise StrategyError(problem)
+    if problem is not None:
+        log.warning("%s; until then it is the built-in one", problem)
 
 
 @cache
@@ -71,17 +124,18 @@ def _load(entry: EntryPoint, group: str) -> Any:
         part = entry.load()
     except Exception as problem:
         raise StrategyError(
-            f"{group} {entry.name!r} of package {_package(entry)} cannot be imported from {entry.value}: "
+            f"{group} {entry.name!r} of package {package_named(entry)} cannot be imported from {entry.value}: "
             f"{type(problem).__name__}: {problem}"
         ) from problem
-    kind = {**STRATEGIES, "map": MapSource}.get(group, object)
+    kind = {**STRATEGIES, "map": MapSource, "report": Report}.get(group, object)
     if not (isinstance(part, type) and is_dataclass(part) and issubclass(part, kind)):
         raise StrategyError(
-            f"{group} {entry.name!r} of package {_package(entry)}: expected {entry.value} to be a dataclass that "
-            f"derives from {kind.__name__}; got {part!r}"
+            f"{group} {entry.name!r} of package {package_named(entry)}: expected {entry.value} to be a dataclass "
+            f"that derives from {kind.__name__}; got {part!r}"
         )
+    check_contract(group, entry.name, part)
     return part
 
 
-def _package(entry: EntryPoint) -> str:
-    return f"{entry.dist.name} {entry.dist.version}" if entry.dist else "an unknown package"
+def _is_ours(entry: EntryPoint) -> bool:
+    return entry.dist is not None and package_named(entry).partition(" ")[0] == "acoexp"

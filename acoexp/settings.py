@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
 from operator import index
 from typing import Any
 
@@ -11,7 +11,7 @@ from acoexp import registry
 from acoexp.colony.problem import ColonySettings
 from acoexp.errors import SettingsError
 from acoexp.field import FieldSettings
-from acoexp.parameters import build, fields_of
+from acoexp.parameters import build, check, fields_of
 from acoexp.presets import CUSTOM, find_preset
 from acoexp.registry import STRATEGIES, STRATEGY_GROUPS
 
@@ -47,7 +47,7 @@ def resolve(algo: Any, values: Mapping[str, Any]) -> Settings:
 
     Raises:
         SettingsError: for an unknown key or name, and for any value that its declaration does not allow.
-        StrategyError: for a part whose package cannot be imported.
+        StrategyError: for a part whose package cannot be imported, or that asks for a newer contract.
     """
     preset = find_preset(algo)
     given = _merge(preset.values, values)
@@ -85,7 +85,12 @@ def check_seed(seed: Any) -> int:
 def _part(group: str, given: Any, preset_name: str) -> tuple[str, Any]:
     """Return a part's name and the part itself."""
     if isinstance(given, STRATEGIES[group]):
-        return _registered_name(group, type(given)), given
+        name = _registered_name(group, type(given))
+        registry.check_contract(group, name, type(given))
+        if is_dataclass(given):
+            values = {key: getattr(given, key) for key in fields_of(type(given))}
+            check(type(given), values, f"{group}.")
+        return name, given
     if isinstance(given, str):
         given = {"name": given}
     parameters = dict(_mapping(group, given))

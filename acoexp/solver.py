@@ -5,15 +5,16 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import lru_cache
 from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from acoexp import blame
 from acoexp.colony.cache import compile_once
-from acoexp.colony.loop import NO_PATH, Own, Record, make_loop
+from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, Own, Record, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Colony, Trails, new_colony, new_trails
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
@@ -54,11 +55,12 @@ class Solver:
         self._problem = problem
         self._desirability = self._weigh_moves()
         self._initial = self._initial_pheromone()
-        self._own = Own(*(self._ask(group, "prepare") for group in Own._fields))
+        self._own = Own(*(self._prepare(group) for group in Own._fields))
         self._has_post = parts["post"].kernel is not None
-        kernels = tuple(parts[group].kernel for group in Own._fields)
-        self._loop = _loop(*kernels)
+        kernels = {group: parts[group].kernel for group in Own._fields}
+        self._loop = _loop(*kernels.values())
         self._compile(kernels)
+        problem.__dict__.pop("field", None)  # 17 bytes per cell that nobody needs any more
 
     def solve(self, seed: int) -> Result:
         """Run one trial.
@@ -67,7 +69,7 @@ class Solver:
             SettingsError: if the seed is not a whole number from 0 to 2^64 - 1.
             StrategyError: if a part broke its contract.
         """
-        return self._trial(self._new_workspace(), check_seed(seed))
+        return self.solve_many([seed], threads=1)[0]
 
     def solve_many(self, seeds: Iterable[int], threads: int | None = None) -> list[Result]:
         """Run a trial for each seed on some threads; results stand in the order of the seeds.
@@ -87,9 +89,10 @@ class Solver:
         checked = [check_seed(seed) for seed in seeds]
         results: list[Result | None] = [None] * len(checked)
         waiting = deque(enumerate(checked))
+        stop = np.zeros(1, dtype=np.uint8)
 
         def work() -> None:
-            workspace = self._new_workspace()
+            workspace = self._new_workspace(stop)
             while waiting:
                 try:
                     place, seed = waiting.popleft()
@@ -98,22 +101,26 @@ class Solver:
                 results[place] = self._trial(workspace, seed)
 
         workers = min(_check_threads(threads), max(1, len(checked)))
-        if workers == 1:
-            work()
-        else:
-            with ThreadPoolExecutor(workers) as pool:
-                try:
-                    for done in [pool.submit(work) for _ in range(workers)]:
-                        done.result()
-                finally:
-                    waiting.clear()
+        # a thread even for a single trial: the main one has to hear Ctrl-C while a kernel runs
+        with ThreadPoolExecutor(workers) as pool:
+            try:
+                for done in as_completed([pool.submit(work) for _ in range(workers)]):
+                    done.result()
+            except BaseException:
+                waiting.clear()
+                stop[0] = 1
+                raise
         return cast(list[Result], results)
 
     def _trial(self, workspace: Workspace, seed: int) -> Result:
         record = _new_record(self.settings.scalars.iterations)
         for array, pristine in workspace.to_restore:
             np.copyto(array, pristine)
-        self._check(self._run(workspace, record, np.uint64(seed)), seed)
+        try:
+            verdict = self._run(workspace, record, np.uint64(seed))
+        except Exception as problem:
+            raise blame.raised(self.settings, seed, problem) from problem
+        self._check(verdict, seed)
         best = workspace.best
         arrived = best.length[0] < np.inf
         return Result(
@@ -131,12 +138,20 @@ class Solver:
         """Blame the part that broke its contract, if one did."""
         if verdict > 0:
             raise StrategyError(
-                f"post {self.settings.names['post']!r} returned what is no path from start to goal, in cycle "
+                f"{blame.told(self.settings, 'post')} returned what is no path from start to goal, in cycle "
                 f"{verdict} of seed {seed}; expected allowed moves"
             )
+        if verdict == UNSOUND:
+            suspects = " or ".join(blame.told(self.settings, group) for group in Own._fields)
+            raise StrategyError(
+                f"{suspects} broke its contract, seed {seed}: it left pheromone that is negative or not a number; "
+                "expected numbers, at least 0"
+            )
+        if verdict == STOPPED:
+            raise AcoexpError(f"seed {seed} was stopped")
         if verdict == NO_PATH:
             raise StrategyError(
-                f"choice {self.settings.names['choice']!r} broke its contract, seed {seed}: it made moves "
+                f"{blame.told(self.settings, 'choice')} broke its contract, seed {seed}: it made moves "
                 f"that are not allowed under the rule {self.grid.moves!r}; expected an open one, or LOST"
             )
 
@@ -148,32 +163,40 @@ class Solver:
         with np.errstate(over="ignore"):  # without the JIT; uint64 wraps around on purpose
             return int(self._loop(*arguments))
 
-    def _compile(self, kernels: tuple[Any, ...]) -> None:
-        w = self._new_workspace()
+    def _compile(self, kernels: dict[str, Any]) -> None:
+        w = self._new_workspace(np.zeros(1, dtype=np.uint8))
         record = _new_record(1)
         example = (w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, np.uint64(0))
         try:
-            compile_once(self._loop, kernels, example)
+            compile_once(self._loop, tuple(kernels.values()), example)
         except AcoexpError:
             raise
         except Exception as problem:
-            names = ", ".join(f"{group}={name}" for group, name in self.settings.names.items())
-            raise StrategyError(f"the colony ({names}) cannot be compiled: {_gist(problem)}") from problem
+            raise blame.not_compiled(self.settings, kernels, problem) from problem
 
-    def _new_workspace(self) -> Workspace:
-        colony = new_colony(self._problem, self._desirability)
-        ants, cells = self.settings.scalars.ants, colony.untouched.size
-        raw = new_trails(ants, cells)
-        own = Own(*(_copied(state) for state in self._own))
-        return Workspace(
-            colony=colony,
-            own=own,
-            to_restore=list(zip(_writable(own), _writable(self._own), strict=True)),
-            raw=raw,
-            final=new_trails(ants, cells) if self._has_post else raw,
-            best=new_trails(2, cells),
-            cells=np.empty(cells if self._has_post else 1, dtype=np.int32),
-        )
+    def _new_workspace(self, stop: NDArray[np.uint8]) -> Workspace:
+        ants, cells = self.settings.scalars.ants, self._desirability.size // 8
+        try:
+            raw = new_trails(ants, cells)
+            own = Own(*(_copied(state) for state in self._own))
+            return Workspace(
+                colony=new_colony(self._problem, self._desirability, stop),
+                own=own,
+                to_restore=list(zip(_writable(own), _writable(self._own), strict=True)),
+                raw=raw,
+                final=new_trails(ants, cells) if self._has_post else raw,
+                best=new_trails(2, cells),
+                cells=np.empty(cells if self._has_post else 1, dtype=np.int32),
+            )
+        except MemoryError as problem:
+            raise SettingsError(
+                f"ants: expected a number for which the memory suffices; got {ants} on a map of {cells} cells"
+            ) from problem
+
+    def _prepare(self, group: str) -> Any:
+        state = self._ask(group, "prepare")
+        blame.check_state(self.settings, group, state)
+        return state
 
     def _ask(self, group: str, method: str) -> Any:
         """Call a part's method with the problem; what goes wrong there is told with the part's name."""
@@ -183,7 +206,7 @@ class Solver:
             raise
         except Exception as problem:
             raise StrategyError(
-                f"{group} {self.settings.names[group]!r} failed in {method}: {type(problem).__name__}: {problem}"
+                f"{blame.told(self.settings, group)} failed in {method}: {type(problem).__name__}: {problem}"
             ) from problem
 
     def _weigh_moves(self) -> NDArray[np.float64]:
@@ -204,7 +227,7 @@ class Solver:
     def _per_move(self, group: str, method: str, allowed: NDArray[np.bool_]) -> NDArray[np.float64]:
         """Ask a part for a number per move, float64[rows, cols, 8], and check it."""
         given = self._ask(group, method)
-        problem = f"{group} {self.settings.names[group]!r}: expected {method} to return numbers"
+        problem = f"{blame.told(self.settings, group)}: expected {method} to return numbers"
         try:
             values = np.broadcast_to(np.asarray(given, dtype=np.float64), allowed.shape)
         except (TypeError, ValueError) as reason:
@@ -234,14 +257,6 @@ def _writable(own: Own) -> list[NDArray[Any]]:
     """Return the arrays of the parts' own states that kernels may write to."""
     values = (value for state in own for value in state)
     return [value for value in values if isinstance(value, np.ndarray) and value.flags.writeable]
-
-
-def _gist(problem: Exception) -> str:
-    """Return what a compiler's error says, and where, without the way it got there."""
-    lines = [line.strip() for line in str(problem).splitlines() if line.strip()]
-    says = next((line for line in lines if not line.startswith("Failed in nopython")), type(problem).__name__)
-    where = next((line for line in lines if line.startswith("File ")), "")
-    return f"{says} {where}".strip()
 
 
 def _check_threads(threads: int | None) -> int:

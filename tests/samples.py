@@ -126,7 +126,7 @@ def number_of(problem: Problem, cell: Cell) -> np.int64:
 def colony_on(problem: Problem, eta: float | NDArray[np.float64] = 1.0) -> State:
     """Return a colony before the first ant: the pheromone is tau0 everywhere, the seed is 0."""
     desirability = np.where(problem.allowed_edges(), np.asarray(eta) ** problem.settings.beta, 0.0)
-    colony = new_colony(problem, problem.per_edge(desirability, border=0.0))
+    colony = new_colony(problem, problem.per_edge(desirability, border=0.0), np.zeros(1, dtype=np.uint8))
     reset(colony, np.array([problem.settings.tau0]))
     with np.errstate(over="ignore"):
         seed_stream(colony.random, np.uint64(0))

@@ -14,10 +14,14 @@ TABLE = {
     "pd": ("goal_distance", "roulette", "gaussian", "none", "ant_cycle"),
     "pdg": ("goal_distance", "roulette", "gaussian", "geometric", "dual_ant_cycle"),
     "pf": ("potential_field", "roulette", "luo_wu", "none", "ant_cycle"),
+    "eas": ("goal_distance", "roulette", "none", "none", "elitist"),
+    "rank": ("goal_distance", "roulette", "none", "none", "rank_based"),
+    "mmas": ("goal_distance", "roulette", "none", "none", "max_min"),
+    "acs": ("goal_distance", "acs", "none", "none", "global_best"),
 }
 
 
-def test_there_are_four_algorithms() -> None:
+def test_there_are_the_papers_algorithms_and_the_classical_ones() -> None:
     assert preset_names() == sorted(TABLE)
 
 
@@ -45,8 +49,8 @@ def test_a_preset_says_in_one_line_what_it_is(algo: str) -> None:
 
 def test_an_unknown_algorithm_is_refused_with_those_that_are_known() -> None:
     with pytest.raises(SettingsError) as caught:
-        find_preset("acs")
-    assert str(caught.value) == "algo: expected one of: aco, pd, pdg, pf; got 'acs'"
+        find_preset("nope")
+    assert str(caught.value) == "algo: expected one of: aco, acs, eas, mmas, pd, pdg, pf, rank; got 'nope'"
 
 
 def test_presets_are_hydras_own_files() -> None:

@@ -75,7 +75,7 @@ def test_an_unknown_key_is_refused_with_those_that_are_known() -> None:
 
 @pytest.mark.parametrize("algo", ["PDG", "", None, 5, "custom", "../algo/pdg"])
 def test_an_unknown_algorithm_is_refused(algo: Any) -> None:
-    assert refusal(algo) == f"algo: expected one of: aco, pd, pdg, pf; got {algo!r}"
+    assert refusal(algo) == f"algo: expected one of: aco, acs, eas, mmas, pd, pdg, pf, rank; got {algo!r}"
 
 
 def test_a_part_may_be_a_name() -> None:

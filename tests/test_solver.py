@@ -141,7 +141,7 @@ def test_extreme_settings_give_ways_and_finite_weights_without_a_warning(
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             solver = Solver(grid, resolve(algo, settings_of(colony)))
-            workspace = solver._new_workspace()
+            workspace = solver._new_workspace(np.zeros(1, dtype=np.uint8))
             result = solver._trial(workspace, 5)
         path = as_cells(result.path)
         assert path is not None

@@ -167,6 +167,8 @@ def digest_of(kernels: tuple[Any, ...]) -> str | None:
 @cache
 def _digest_of_sources(package: str) -> str | None:
     """Return a digest of every source file of a top-level package, as it is when first asked for."""
+    if package not in sys.modules:
+        return None
     module = sys.modules[package]
     folders = [Path(folder) for folder in getattr(module, "__path__", [])]
     files = [(f.relative_to(folder), f) for folder in folders for f in folder.rglob("*.py")]

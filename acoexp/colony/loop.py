@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import refresh, reset
+from acoexp.colony.pheromone import is_sound, refresh, reset
 from acoexp.colony.random import seed_stream
 from acoexp.colony.state import LOST, NO_WAY_HERE
 from acoexp.colony.tabu import forget, touch
@@ -22,7 +22,13 @@ from acoexp.colony.trails import copy_trail, leads_to_goal, measure, read_cells,
 Kernel = Callable[..., Any]
 
 NO_PATH = -1
-"""What the loop returns if the ants' choices led along moves that are not allowed."""
+"""What the loop returns if a choice made moves that are not allowed, or never came to an end."""
+
+UNSOUND = -3
+"""What the loop returns if a part left pheromone that is negative or not a number."""
+
+STOPPED = -2
+"""What the loop returns if it was told to stop."""
 
 
 class Own(NamedTuple):
@@ -56,19 +62,20 @@ def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: 
     state; the initial pheromone; trails for the paths as walked and as optimised (one object if there is no
     post-optimiser); trails of two rows for the run's best path, optimised and as walked; room for a path as
     cells; the record to fill; the seed. It returns 0; or the cycle in which the post-optimiser returned what is
-    no path; or ``NO_PATH``.
+    no path; or ``NO_PATH``, ``STOPPED``, ``UNSOUND``.
     """
     polish = _polish_by(optimise) if optimise is not None else _leave_as_walked
 
     @compiled
-    def walk(colony: Any, own: Any, raw: Any, ant: Any) -> None:
+    def walk(colony: Any, own: Any, raw: Any, ant: Any) -> bool:
         cell, came = colony.start, NO_WAY_HERE
         touch(colony, cell)
         steps = straight = 0
-        while cell != colony.goal:
+        move = LOST
+        while cell != colony.goal and steps < raw.moves.shape[1]:
             diffuse(colony, own.diffusion, ant, cell, came)
             move = choose(colony, own.choice, ant, cell, came)
-            if move == LOST:
+            if not colony.allowed[np.uintp(cell)] >> np.uint8(move) & 1:  # also where the ant is lost
                 break
             raw.moves[np.uintp(ant), np.uintp(steps)] = move
             steps += 1
@@ -80,6 +87,7 @@ def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: 
         if cell != colony.goal:
             raw.length[ant] = np.inf
         forget(colony, raw, ant)
+        return cell == colony.goal or move == LOST
 
     @compiled
     def run(
@@ -87,9 +95,12 @@ def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: 
     ) -> int:
         _begin(colony, initial, best, record, seed)
         for cycle in range(colony.iterations):
+            if colony.stop[0]:
+                return STOPPED
             colony.cycle[0] = cycle + 1
             for ant in range(colony.ants):
-                walk(colony, own, raw, ant)
+                if not walk(colony, own, raw, ant):
+                    return NO_PATH
                 record.ant_steps[0] += raw.steps[ant]
                 if raw.length[ant] < np.inf:
                     if not polish(colony, own.post, raw, final, ant, cells):
@@ -100,6 +111,8 @@ def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: 
             _note_best(raw, final, best, record, cycle)
             update(colony, own.update, raw, final, best)
             refresh(colony)
+        if not is_sound(colony):
+            return UNSOUND
         for row in range(2):
             if best.length[row] < np.inf and not leads_to_goal(colony, best, row):
                 return NO_PATH
@@ -115,6 +128,7 @@ def _begin(colony: Any, initial: Any, best: Any, record: Any, seed: Any) -> None
     reset(colony, initial)
     colony.untouched[:] = 1.0
     best.length[:] = np.inf
+    best.steps[:] = 0
     record.pairs[:] = -1
     record.lost[:] = 0
     record.ant_steps[0] = 0

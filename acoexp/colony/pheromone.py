@@ -3,8 +3,8 @@
 All edges evaporate alike, so evaporation is one factor, ``scale``, and costs nothing per edge; the roulette
 does not see a common factor. Each edge's weight, stored^alpha * eta^beta, is recomputed when that edge's
 pheromone changes and not at every step. Only levels relative to each other count, so what is stored is brought
-back to at most 1 before it, or a weight, could overflow; levels themselves saturate at 10^150. Nobody outside
-this file knows of any of this.
+back to at most 1 before it, or a weight, could overflow. The factor stays between 10^-150 and 10^150: further
+evaporation, or growth, of all pheromone together changes nothing that an ant could see.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ HIGHEST_POWER = 1e90
 """Bound of stored^alpha."""
 
 _SMALLEST_SCALE = 1e-150
-_HIGHEST_SHARE = 1e300
 _HIGHEST_SCALE = 1e150
+_SMALLEST_EXACT = 1e-280
 _WAITS = -1.0
 
 
@@ -46,9 +46,10 @@ def set_level(colony: Any, edge: Any, amount: Any) -> None:
 def multiply(colony: Any, edge: Any, factor: Any, factor_to_alpha: Any) -> None:
     """Multiply the pheromone on an edge; the caller knows factor^alpha, so nothing is recomputed."""
     stored = colony.stored[np.uintp(edge)] * factor
-    if stored <= colony.highest_stored:
+    weight = colony.weight[np.uintp(edge)] * factor_to_alpha
+    if stored <= colony.highest_stored and weight >= _SMALLEST_EXACT:
         colony.stored[np.uintp(edge)] = stored
-        colony.weight[np.uintp(edge)] *= factor_to_alpha
+        colony.weight[np.uintp(edge)] = weight
     else:
         _store(colony, edge, stored)
 
@@ -56,9 +57,10 @@ def multiply(colony: Any, edge: Any, factor: Any, factor_to_alpha: Any) -> None:
 @compiled
 def evaporate(colony: Any, rho: Any) -> None:
     """Let the share ``rho`` of all pheromone evaporate."""
-    colony.scale[0] *= 1.0 - rho
-    if colony.scale[0] < _SMALLEST_SCALE:
-        _normalise(colony)
+    if rho == 1.0:
+        _clear(colony)
+    else:
+        colony.scale[0] = max(colony.scale[0] * (1.0 - rho), _SMALLEST_SCALE)
 
 
 @compiled
@@ -75,7 +77,9 @@ def clamp(colony: Any, lowest: Any, highest: Any) -> None:
 @compiled
 def lay(colony: Any, trails: Any, ant: Any, amount: Any) -> None:
     """Add pheromone to every edge of an ant's path; for updates, whose weights are brought up to date after."""
-    share = min(amount / colony.scale[0], _HIGHEST_SHARE)
+    if amount / colony.scale[0] > colony.highest_stored:
+        _raise_scale(colony, amount)
+    share = amount / colony.scale[0]
     cell = colony.start
     for step in range(trails.steps[ant]):
         move = trails.moves[np.uintp(ant), np.uintp(step)]
@@ -117,12 +121,23 @@ def refresh(colony: Any) -> None:
 
 
 @compiled
+def is_sound(colony: Any) -> Any:
+    """Tell whether every level and weight is a number, and at least 0."""
+    wrong = 0
+    for edge in range(colony.stored.size):
+        wrong += not (colony.stored[edge] >= 0.0 and colony.weight[edge] >= 0.0)
+    return wrong == 0
+
+
+@compiled
 def _store(colony: Any, edge: Any, stored: Any) -> None:
     """Set an edge's stored value and its weight, unless that waits for an update's end anyway."""
-    colony.stored[edge] = min(stored, _HIGHEST_SHARE)
     if stored > colony.highest_stored:
-        _normalise(colony)
-    elif colony.weight[edge] >= 0.0:
+        amount = min(stored * colony.scale[0], _HIGHEST_SCALE)
+        _raise_scale(colony, amount)
+        stored = amount / colony.scale[0]
+    colony.stored[edge] = stored
+    if colony.weight[edge] >= 0.0:
         _weigh(colony, edge)
 
 
@@ -147,15 +162,31 @@ def _let_wait(colony: Any, edge: Any) -> None:
 
 @compiled
 def _normalise(colony: Any) -> None:
-    """Bring what is stored to at most 1, all levels staying as they are; levels below any float become 0."""
-    highest = _highest(colony.stored)
-    if highest == 0.0 or colony.scale[0] == 0.0:
-        colony.stored[:] = 0.0
-        colony.scale[0] = 1.0
-    else:
-        for edge in range(colony.stored.size):
-            colony.stored[edge] /= highest
-        colony.scale[0] = min(colony.scale[0] * highest, _HIGHEST_SCALE)
+    """Bring what is stored to at most 1, all levels staying as they are."""
+    _rescale(colony, _highest(colony.stored))
+
+
+@compiled
+def _raise_scale(colony: Any, amount: Any) -> None:
+    """Make room for an amount that would overflow: scale such that it is stored as 1."""
+    _rescale(colony, max(amount / colony.scale[0], _highest(colony.stored)))
+
+
+@compiled
+def _rescale(colony: Any, factor: Any) -> None:
+    """Divide what is stored by a factor, and multiply the scale by it."""
+    for edge in range(colony.stored.size):
+        colony.stored[edge] /= factor
+    colony.scale[0] = min(colony.scale[0] * factor, _HIGHEST_SCALE)
+    _weigh_all(colony)
+
+
+@compiled
+def _clear(colony: Any) -> None:
+    """Let all pheromone be gone."""
+    for edge in range(colony.stored.size):
+        colony.stored[edge] = 0.0
+    colony.scale[0] = 1.0
     _weigh_all(colony)
 
 

@@ -64,6 +64,7 @@ class Colony(NamedTuple):
             which costs the choice less than a comparison.
         cycle: * int64[1], the cycle, 1..iterations.
         random: * uint64[4], the trial's random numbers; draw by ``uniform``.
+        stop: * uint8[1], not 0 once the trial is to end after this cycle.
     """
 
     start: np.int64
@@ -89,6 +90,7 @@ class Colony(NamedTuple):
     untouched: NDArray[np.float64]
     cycle: NDArray[np.int64]
     random: NDArray[np.uint64]
+    stop: NDArray[np.uint8]
 
 
 def new_trails(ants: int, cells: int) -> Trails:
@@ -113,12 +115,13 @@ def offset_directions(width: int) -> NDArray[np.uint8]:
     return directions
 
 
-def new_colony(problem: Problem, desirability: NDArray[np.float64]) -> Colony:
+def new_colony(problem: Problem, desirability: NDArray[np.float64], stop: NDArray[np.uint8]) -> Colony:
     """Return a colony for one worker, to be used for one trial after the other.
 
     Args:
         problem: What is to be solved.
         desirability: float64[edges], eta^beta, 0 where a move is not allowed; shared between workers.
+        stop: uint8[1], by which whoever holds it ends the trial.
     """
     settings = problem.settings
     allowed = problem.per_cell(problem.grid.allowed, border=0)
@@ -147,4 +150,5 @@ def new_colony(problem: Problem, desirability: NDArray[np.float64]) -> Colony:
         untouched=np.ones(cells),
         cycle=np.zeros(1, dtype=np.int64),
         random=np.zeros(4, dtype=np.uint64),
+        stop=stop,
     )

@@ -26,10 +26,15 @@ MOST_JOBS = 100_000
 
 
 class Arguments(NamedTuple):
-    """What Hydra gets, and the user's folder of options, which it gets in another way."""
+    """What Hydra gets, the user's folder of options, which it gets in another way, and what --info asks for."""
 
     argv: list[str]
     config_dir: str | None
+    info: str | None = None
+
+
+PARTS_INFO = "strategies"
+"""What ``--info`` shows of ours, besides what Hydra's own shows."""
 
 
 def normalise(argv: list[str]) -> Arguments:
@@ -66,7 +71,7 @@ def normalise(argv: list[str]) -> Arguments:
         _refuse_sweeps(given, overrides)
     # overrides first: an option with an optional value, such as --info, must not take one for its value
     argv = [*overrides, *(_folders(overrides) if runs else ()), *_without_config_dir(options)]
-    return Arguments(argv, flags.config_dir)
+    return Arguments(argv, flags.config_dir, flags.info)
 
 
 def _parser() -> ArgumentParser:
@@ -77,6 +82,8 @@ def _parser() -> ArgumentParser:
         raise SettingsError(f"{message}; --help lists what there is")
 
     parser.error = refuse  # type: ignore[method-assign]
+    info = parser._option_string_actions["--info"]
+    info.choices = [*(info.choices or ()), PARTS_INFO]
     return parser
 
 
@@ -131,7 +138,7 @@ def _refuse_sweeps(given: list[str], overrides: list[str]) -> None:
         return
     for text, override in zip(given, parsed, strict=True):
         if override.is_sweep_override():
-            raise SettingsError(f"{text}: several values; add -m to run them all (a list is written [1,2])")
+            raise SettingsError(f"{text}: several values; add -m to run them all")
 
 
 def _refuse_nothing(override: str) -> None:
@@ -139,7 +146,7 @@ def _refuse_nothing(override: str) -> None:
     key, _, value = override.lstrip("+~").partition("=")
     if not key:
         raise SettingsError(f"{override}: expected key=value")
-    if key in (*registry.GROUPS, "algo", "tracking") and value.lower() == "null":
+    if key in (*registry.GROUPS, "algo", "tracking") and (value.lower() in ("", "null") or value[0] == "["):
         raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
 
 

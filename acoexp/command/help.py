@@ -33,15 +33,23 @@ def help_text() -> str:
 
 _FLAGS = """\
 == Flags ==
--m runs a sweep; --cfg job shows the resolved settings; --info shows where they come from; --hydra-help tells of
+-m runs a sweep; --cfg job shows the resolved settings; --info strategies lists every part with its
+package, contract and parameters; --info shows where settings come from; --hydra-help tells of
 Hydra's own flags. Completion: eval "$$(acoexp -sc install=bash)"
 """
 
 
 def _presets() -> str:
     return _section(
-        "algo", "a preset over the five parts below", {n: find_preset(n).summary for n in preset_names()}
+        "algo", "a preset over the five parts below", {name: _preset_summary(name) for name in preset_names()}
     )
+
+
+def _preset_summary(name: str) -> str:
+    try:
+        return find_preset(name).summary
+    except StrategyError as problem:
+        return f"BROKEN: {problem}"
 
 
 def _group(group: str) -> str:
@@ -87,9 +95,15 @@ def _scalars() -> str:
 def _keys(owner: Any) -> dict[str, str]:
     """Return each parameter's meaning and default."""
     return {
-        name: f"{field.metadata['meaning']} [{'null' if field.default is None else field.default}]"
+        name: f"{field.metadata['meaning']} [{_default(field.default)}]"
         for name, field in fields_of(owner).items()
     }
+
+
+def _default(value: Any) -> str:
+    if isinstance(value, tuple):
+        return ", ".join(map(str, value))
+    return "null" if value is None else str(value)
 
 
 def _section(title: str, about: str, lines: dict[str, str]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 from contextlib import chdir
 from functools import lru_cache
@@ -15,12 +16,16 @@ from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
 from acoexp import registry
+from acoexp.command import summary
 from acoexp.errors import SettingsError
 from acoexp.grid import Grid
 from acoexp.parameters import build
+from acoexp.report.context import Context
+from acoexp.report.report import Report
 from acoexp.settings import Settings, check_seed, resolve
 from acoexp.solver import Solver
 from acoexp.tracking import Tracker, Trial, open_tracker
+from acoexp.tracking.tracker import NoTracker
 
 
 def run_job(config: DictConfig) -> float:
@@ -47,15 +52,19 @@ class Job:
         self.settings = self._settings()
         self.grid = self._grid()
         self.report = self._report()
+        if self.report is not None:
+            self.tracker = NoTracker()
+            self.report.check(self._context(Path()))
 
     def run(self) -> float:
-        """Run the trial and keep what it found."""
+        """Run the trial and keep what it found, or write the report that is asked for."""
+        if self.report is not None:
+            return self._write_report(self.report)
         solver = Solver(self.grid, self.settings)
         began = time.perf_counter()
         result = solver.solve(self.seed)
         seconds = time.perf_counter() - began
         trial = Trial(result, self.config)
-        self.tracker.log(trial)
         hydra = HydraConfig.get()
         folder = Path(hydra.runtime.output_dir)
         (folder / "config.yaml").write_text(OmegaConf.to_yaml(self.config), encoding="utf-8")
@@ -65,8 +74,21 @@ class Job:
             draw_map(result, folder / "path.png")
             draw_convergence(result, folder / "convergence.png")
         content = {**result.as_dict(), "seconds": seconds, "cell": trial.cell, "config": trial.params}
+        self.tracker.log(trial)
         _write_whole(folder / "trial.json", json.dumps(content))
         return result.length
+
+    def _write_report(self, report: Report) -> float:
+        """Write a report: under outputs/reports, or in the job's own folder if it is one of several."""
+        hydra, name = HydraConfig.get(), self.config["report"]["name"]
+        several = hydra.mode == RunMode.MULTIRUN
+        folder = Path(hydra.runtime.output_dir if several else "outputs/reports") / name
+        written = report.write(self._context(folder))
+        summary.print_report(written, report.headline(written))
+        return math.nan
+
+    def _context(self, folder: Path) -> Context:
+        return Context(self.config["algo"], self.settings, self.grid, folder)
 
     def _settings(self) -> Settings:
         others = ("seed", "algo", "map", "tracking", "report")
@@ -78,12 +100,13 @@ class Job:
         name = parameters.pop("name", None)
         return _load(build(registry.find("map", name), parameters, "map."))
 
-    def _report(self) -> Any:
+    def _report(self) -> Report | None:
         """Return the report that was asked for, or None."""
         parameters = dict(self._mapping("report"))
         name = parameters.pop("name", None)
         if name != "none":
-            return build(registry.find("report", name), parameters, "report.")
+            report: Report = build(registry.find("report", name), parameters, "report.")
+            return report
         for key in parameters:
             raise SettingsError(f"report.{key} is not a known key of report=none")
         return None

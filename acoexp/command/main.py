@@ -10,10 +10,11 @@ from hydra.errors import HydraException
 from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command import sweep
-from acoexp.command.arguments import normalise
+from acoexp.command.arguments import PARTS_INFO, normalise
 from acoexp.command.job import run_job
 from acoexp.command.messages import print_error
 from acoexp.command.options import register_options
+from acoexp.command.parts import parts_text
 from acoexp.errors import AcoexpError
 from acoexp.presets import conf_dir
 
@@ -26,6 +27,9 @@ def main() -> None:
     os.environ["HYDRA_FULL_ERROR"] = "1"  # so that Hydra hands its errors to us instead of printing them
     try:
         arguments = normalise(sys.argv[1:])
+        if arguments.info == PARTS_INFO:
+            print(parts_text())
+            return
         register_options(arguments.config_dir)
         sys.argv[1:] = arguments.argv
         hydra.main(version_base="1.3", config_path=str(conf_dir()), config_name="config")(run_job)()

@@ -22,6 +22,7 @@ from acoexp.command.help import help_text
 from acoexp.errors import SettingsError, StrategyError
 from acoexp.field import FieldSettings
 from acoexp.parameters import defaults_of
+from acoexp.presets import plugin_conf_dirs
 
 _RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
 _OURS = ("config", "settings")
@@ -39,8 +40,11 @@ def register_options(config_dir: str | None) -> None:
         for name in registry.names(group):
             store.store(group=group, name=name, node={"name": name, **_parameters(group, name)})
     store.store(group="hydra/help", name="acoexp", node={"template": help_text()})
+    folders = dict(plugin_conf_dirs())
     if config_dir is not None:
-        _register_folder(config_dir)
+        folders = {_checked(config_dir): "command-line", **folders}
+    if folders:
+        _register_folders(folders)
 
 
 def _parameters(group: str, name: str) -> dict[str, Any]:
@@ -55,21 +59,27 @@ def _plain(owner: type) -> dict[str, Any]:
     return {n: list(v) if isinstance(v, tuple) else v for n, v in defaults_of(owner).items()}
 
 
-def _register_folder(config_dir: str) -> None:
+def _checked(config_dir: str) -> Path:
     folder = Path(config_dir).absolute()
     if not folder.is_dir():
         raise SettingsError(f"--config-dir: expected a folder; got {config_dir!r}")
+    return folder
 
-    class UserFolder(SearchPathPlugin):
+
+def _register_folders(folders: dict[Path, str]) -> None:
+    """Let Hydra look for options in these folders too, in this order, after it has looked in ours."""
+
+    class Folders(SearchPathPlugin):
         def manipulate_search_path(self, search_path: ConfigSearchPath) -> None:
-            search_path.prepend("command-line", f"options://{folder}", SearchPathQuery(provider="schema"))
+            for folder, provider in folders.items():
+                search_path.prepend(provider, f"options://{folder}", SearchPathQuery(provider="schema"))
 
     SourcesRegistry.instance().register(UserOptions)
-    Plugins.instance().register(UserFolder)
+    Plugins.instance().register(Folders)
 
 
 class UserOptions(FileConfigSource):
-    """The user's own option files: settings of ours, and nothing that makes the program import or run code."""
+    """Option files of a user or of a package: settings of ours, and nothing that makes the program run code."""
 
     @staticmethod
     def scheme() -> str:

@@ -27,8 +27,9 @@ def draw_map(result: Result, file: Path) -> None:
         axes.set_yticks(np.arange(rows + 1) - 0.5, minor=True)
         axes.grid(which="minor", color="0.85", linewidth=0.5)
         axes.tick_params(which="minor", length=0)
-    if result.raw_path is not None:
-        axes.plot(*result.raw_path.T[::-1], color=ORANGE, linewidth=1.5, linestyle="--", label="as walked")
+    raw, path = result.raw_path, result.path
+    if raw is not None and path is not None and not np.array_equal(raw, path):
+        axes.plot(*raw.T[::-1], color=ORANGE, linewidth=1.5, linestyle="--", label="as walked")
     if result.path is not None:
         label = f"path, {result.length:.4f}"
         axes.plot(*result.path.T[::-1], color=BLUE, linewidth=2.5, label=label)

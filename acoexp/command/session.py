@@ -11,10 +11,12 @@ from hydra._internal.core_plugins.basic_sweeper import BasicSweeper
 from hydra.core.global_hydra import GlobalHydra
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.override_parser.types import Override
+from hydra.core.utils import JobStatus
 from hydra.errors import HydraException
 from hydra.experimental.callback import Callback
 from hydra.types import RunMode
 from omegaconf import DictConfig
+from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command import summary, sweep
 from acoexp.command.job import Job
@@ -34,10 +36,10 @@ class Session(Callback):
         """Check all jobs, and begin to watch over them."""
         _or_exit(lambda: _begin_sweep(config))
 
-    def on_run_end(self, config: DictConfig, **_: Any) -> None:
+    def on_run_end(self, config: DictConfig, **kwargs: Any) -> None:
         """Tell what the one job found."""
-        folder = Path(config.hydra.run.dir)
-        if (folder / "trial.json").exists():
+        folder, ended = Path(config.hydra.run.dir), kwargs["job_return"]
+        if ended.status == JobStatus.COMPLETED and (folder / "trial.json").exists():
             summary.print_trial(folder, Job(config).tracker.where)
 
 
@@ -45,7 +47,7 @@ def _or_exit(action: Any) -> None:
     """Hydra turns a callback's exceptions into warnings, but lets this one through."""
     try:
         action()
-    except (AcoexpError, HydraException, OSError) as problem:
+    except (AcoexpError, HydraException, OmegaConfBaseException, OSError) as problem:
         print_error(problem)
         raise SystemExit(1) from problem
     except Exception as problem:
@@ -56,19 +58,24 @@ def _or_exit(action: Any) -> None:
 def _begin_sweep(config: DictConfig) -> None:
     loader = GlobalHydra.instance().config_loader()
     parsed = OverridesParser.create(config_loader=loader).parse_overrides(list(config.hydra.overrides.task))
-    jobs = BasicSweeper.split_arguments(parsed, None)[0]
-    seeds = [override for override in parsed if override.key_or_group == "seed"]
+    basic = config.hydra.sweeper._target_ == f"{BasicSweeper.__module__}.{BasicSweeper.__qualname__}"
+    if not basic:  # what its values will be, only the sweeper knows
+        parsed = [override for override in parsed if not override.is_sweep_override()]
     others = [override for override in parsed if override.key_or_group != "seed"]
-    for seed in (value for override in seeds for value in _values(override)):
+    for seed in (value for override in parsed if override not in others for value in _values(override)):
         _check_seed_text(seed)
+    trackers, report = {}, None
     for combination in BasicSweeper.split_arguments(others, None)[0]:
-        job = Job(
-            loader.load_configuration(
-                "config", [*combination, *config.hydra.overrides.hydra], run_mode=RunMode.RUN
-            )
-        )
-    job.tracker.prepare()
-    sweep.begin(Path(config.hydra.sweep.dir), len(jobs), job.tracker.where)
+        overrides = [*combination, *config.hydra.overrides.hydra]
+        job = Job(loader.load_configuration("config", overrides, run_mode=RunMode.RUN))
+        trackers[job.tracker.where], report = job.tracker, job.report
+    # Hydra would compose every job once more to see whether it is legal: 40 s of silence for 500 of them
+    BasicSweeper.validate_batch_is_legal = lambda *_: None  # type: ignore[method-assign]
+    for tracker in trackers.values():
+        tracker.prepare()
+    if report is None:
+        total = len(BasicSweeper.split_arguments(parsed, None)[0]) if basic else None
+        sweep.begin(Path(config.hydra.sweep.dir), total, ", ".join(trackers))
 
 
 def _values(override: Override) -> list[str]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+import re
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -15,9 +17,9 @@ from rich.table import Table
 Trial = dict[str, Any]
 
 
-def finished(folder: Path) -> list[Path]:
-    """Return the records of a sweep's finished trials."""
-    return list(folder.glob("*/trial.json"))
+def finished(folder: Path) -> dict[Path, int]:
+    """Return the records of finished trials below a folder, each with the time it was written, in ns."""
+    return {file: file.stat().st_mtime_ns for file in folder.rglob("trial.json")}
 
 
 def print_trial(folder: Path, where: str) -> None:
@@ -25,23 +27,50 @@ def print_trial(folder: Path, where: str) -> None:
     trial = json.loads((folder / "trial.json").read_text(encoding="utf-8"))
     console = _console()
     console.print(_table([[trial]], spread=False))
+    _warn_of_lost(console, [trial])
     console.print(f"files: {folder}\nrun:   {where}", highlight=False, soft_wrap=True)
 
 
-def print_sweep(folder: Path, jobs: int, where: str, seconds: float) -> None:
+def print_sweep(folder: Path, records: Sequence[Path], jobs: int | None, where: str, seconds: float) -> None:
     """Print one row for each cell of a sweep, that is for each configuration apart from the seed."""
-    trials = [json.loads(file.read_text(encoding="utf-8")) for file in finished(folder)]
+    trials = [json.loads(file.read_text(encoding="utf-8")) for file in records]
     cells: dict[str, list[Trial]] = {}
-    for trial in sorted(trials, key=lambda t: (t["map"], t["algo"], t["cell"], t["seed"])):
+    for trial in sorted(trials, key=_order):
         cells.setdefault(trial["cell"], []).append(trial)
     console = _console()
     if cells:
         console.print(_table(list(cells.values()), spread=True))
+    _warn_of_lost(console, trials)
+    of_all = "" if jobs is None else f" of {jobs}"
     console.print(
-        f"{len(trials)} of {jobs} trials finished in {seconds:.1f} s\nfiles: {folder}\nruns:  {where}",
+        f"{len(trials)}{of_all} trials finished in {seconds:.1f} s\nfiles: {folder}\nruns:  {where}",
         highlight=False,
         soft_wrap=True,
     )
+
+
+def print_report(folder: Path, headline: Sequence[Sequence[str]]) -> None:
+    """Print a report's short table, and where the report lies."""
+    console = _console()
+    if headline:
+        table = Table(*headline[0], box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
+        for row in headline[1:]:
+            table.add_row(*row)
+        console.print(table)
+    console.print(f"report: {folder}", highlight=False, soft_wrap=True)
+
+
+def _order(trial: Trial) -> list[tuple[float, str]]:
+    """Return what rows are sorted by: map, algorithm, then every setting, numbers as numbers."""
+    values = [trial["map"], trial["algo"], *trial["config"].values(), str(trial["seed"])]
+    return [(float(v), "") if re.fullmatch(r"-?[\d.]+(e[+-]?\d+)?", v) else (math.inf, v) for v in values]
+
+
+def _warn_of_lost(console: Console, trials: Sequence[Trial]) -> None:
+    """Say it where ants never arrived: a dash alone does not tell why."""
+    never = sum(trial["l1"] is None for trial in trials)
+    if never:
+        console.print(f"in {never} of {len(trials)} trials no ant ever reached the goal: all were lost on the way")
 
 
 def _console() -> Console:

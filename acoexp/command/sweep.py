@@ -18,8 +18,9 @@ _LOOK_EVERY = 0.2
 class _Sweep:
     """Counts finished trials by their files, so it needs no word from where they run."""
 
-    def __init__(self, folder: Path, jobs: int, where: str) -> None:
+    def __init__(self, folder: Path, jobs: int | None, where: str) -> None:
         self.folder, self.jobs, self.where = folder.absolute(), jobs, where
+        self.there_before = summary.finished(self.folder)
         self.began = time.perf_counter()
         self.stopped = threading.Event()
         self.thread = threading.Thread(target=self._show, daemon=True)
@@ -31,19 +32,26 @@ class _Sweep:
         with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
             task = progress.add_task("trials", total=self.jobs)
             while not self.stopped.wait(_LOOK_EVERY) and console.is_terminal:
-                progress.update(task, completed=len(summary.finished(self.folder)))
+                progress.update(task, completed=len(self.finished()))
+
+    def finished(self) -> list[Path]:
+        """Return the records written since the sweep began; its folder may have been used before."""
+        return [
+            file for file, time in summary.finished(self.folder).items() if self.there_before.get(file) != time
+        ]
 
     def end(self) -> None:
         self.stopped.set()
         self.thread.join()
-        summary.print_sweep(self.folder, self.jobs, self.where, time.perf_counter() - self.began)
+        seconds = time.perf_counter() - self.began
+        summary.print_sweep(self.folder, self.finished(), self.jobs, self.where, seconds)
 
 
 _current: list[_Sweep] = []
 
 
-def begin(folder: Path, jobs: int, where: str) -> None:
-    """Begin to watch a sweep of so many jobs, whose folders appear under ``folder``."""
+def begin(folder: Path, jobs: int | None, where: str) -> None:
+    """Begin to watch a sweep of so many jobs (None: nobody knows), whose folders appear under ``folder``."""
     _current.append(_Sweep(folder, jobs, where))
 
 

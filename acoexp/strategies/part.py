@@ -21,9 +21,15 @@ from numpy.typing import NDArray
 
 from acoexp.colony.problem import Problem
 
+CONTRACT = 1
+"""Version of this contract. It grows when a part could rely on something that was not there before; a part
+that does says so by ``contract: ClassVar[int] = n``, and an older acoexp refuses it."""
+
 
 class Heuristic(ABC):
     """How desirable each move is, before the first cycle."""
+
+    contract: ClassVar[int] = 1
 
     @abstractmethod
     def eta(self, problem: Problem) -> NDArray[np.float64]:
@@ -36,6 +42,7 @@ class Heuristic(ABC):
 class Part:
     """A part that acts while a trial runs."""
 
+    contract: ClassVar[int] = 1
     kernel: ClassVar[Callable[..., Any] | None]
 
     def prepare(self, problem: Problem) -> tuple[Any, ...]:

@@ -9,9 +9,10 @@ import logging
 import math
 import os
 import re
+import sqlite3
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import closing, contextmanager, nullcontext
 from functools import cache, cached_property
 from importlib.metadata import version
 from pathlib import Path
@@ -58,10 +59,13 @@ class MlflowTracker:
             # several processes that migrate one fresh database at once all fail
             lock = FileLock(f"{self._file}.lock") if self._file is not None else nullcontext()
             with lock:
-                if self._client.get_experiment_by_name(EXPERIMENT) is None:
+                if self._file is not None:
+                    _check_writable(self._file)
+                experiment = self._client.get_experiment_by_name(EXPERIMENT)
+                if experiment is None:
                     self._client.create_experiment(EXPERIMENT, self._artifacts())
-                if self._file is not None and not os.access(self._file, os.W_OK):
-                    raise PermissionError(f"{self._file} is read-only")
+                elif experiment.lifecycle_stage != "active":
+                    self._client.restore_experiment(experiment.experiment_id)
 
     def log(self, trial: Trial) -> None:
         """Keep one trial as one run.
@@ -127,6 +131,15 @@ class MlflowTracker:
             ) from problem
 
 
+def _check_writable(file: Path) -> None:
+    """Take SQLite's lock for writing; MLflow would try again for minutes where that fails."""
+    if file.exists() and not os.access(file, os.W_OK):
+        raise PermissionError(f"{file} is read-only")
+    with closing(sqlite3.connect(file, timeout=10.0, isolation_level=None)) as database:
+        database.execute("BEGIN IMMEDIATE")
+        database.execute("ROLLBACK")
+
+
 @contextmanager
 def _few_retries() -> Iterator[None]:
     """Let MLflow give up within seconds on a server that is not there; by default it takes minutes."""
@@ -156,8 +169,9 @@ def _metrics(trial: Trial, now: int) -> Iterator[Metric]:
     }
     undefined = {key for key in ("x1", "x2", "x3") if values[key] == 0}
     undefined |= {key for key, value in values.items() if math.isnan(value)}
-    for key in values.keys() - undefined:
-        yield Metric(key, values[key], now, 0)
+    for key, value in values.items():
+        if key not in undefined:
+            yield Metric(key, value, now, 0)
     for cycle, length in enumerate(result.curve.tolist(), 1):
         if not math.isnan(length):
             yield Metric("best_length", length, now, cycle)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -41,6 +42,9 @@ class Trial:
         cell = {key: value for key, value in self.params.items() if key != "seed"}
         content = json.dumps([cell, self.result.grid.digest], sort_keys=True)
         return hashlib.sha256(content.encode()).hexdigest()[:16]
+
+
+_IN_MEMORY = re.compile(r"^sqlite[^:]*:/*(\?|$)|:memory:|mode=memory")
 
 
 class Tracker(Protocol):
@@ -93,7 +97,7 @@ def open_tracker(config: Mapping[str, Any]) -> Tracker:
     if name == "none":
         return NoTracker()
     uri = config.get("uri")
-    if not isinstance(uri, str) or uri in ("", REQUIRED) or ":memory:" in uri:
+    if not isinstance(uri, str) or uri in ("", REQUIRED) or _IN_MEMORY.search(uri):
         raise SettingsError(f"tracking.uri: expected the address of an MLflow store that lasts; got {uri!r}")
     return MlflowTracker(uri)
 

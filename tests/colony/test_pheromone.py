@@ -193,3 +193,33 @@ def test_pheromone_that_no_float_holds_still_evaporates_and_grows(alpha: float) 
         assert np.isfinite(colony.stored).all()
         assert np.isfinite(colony.weight).all()
     assert math.isclose(pheromone.level(colony, EDGES[0]), 2.0)
+
+
+def test_a_weight_that_underflowed_comes_back_with_the_pheromone() -> None:
+    colony, _ = some_colony(100.0)
+    pheromone.set_level(colony, EDGES[3], 1e-4)
+    assert colony.weight[EDGES[3]] == 0.0
+    for _ in range(200):
+        pheromone.multiply(colony, EDGES[3], 1.046, 1.046**100.0)
+    level = colony.stored[EDGES[3]]
+    assert math.isclose(colony.weight[EDGES[3]], level**100.0 * colony.desirability[EDGES[3]], rel_tol=1e-9)
+    assert colony.weight[EDGES[3]] > 0.0
+
+
+def test_a_very_large_amount_reaches_every_edge_of_a_path_alike() -> None:
+    colony, _ = some_colony(1.1)
+    pheromone.reset(colony, np.array([1e-100]))
+    for _ in range(400):
+        pheromone.evaporate(colony, 0.5)
+    pheromone.lay(colony, trails_of(colony, WALKS[0]), 0, 1e100)
+    levels = [pheromone.level(colony, edge) for edge in edges_along(colony, WALKS[0])]
+    assert all(math.isclose(level, 1e100) for level in levels)
+
+
+def test_ants_that_are_lost_for_ever_still_know_the_heuristic() -> None:
+    colony, _ = some_colony(1.1)
+    before = colony.weight.copy()
+    for _ in range(5000):
+        pheromone.evaporate(colony, 0.5)
+    assert (colony.weight == before).all()
+    assert colony.weight.max() > 0.0

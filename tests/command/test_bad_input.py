@@ -20,7 +20,7 @@ from acoexp.presets import conf_dir
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ("algo=nope", "algo: expected one of: aco, pd, pdg, pf; got 'nope'"),
+        ("algo=nope", "algo: expected one of: aco, acs, eas, mmas, pd, pdg, pf, rank; got 'nope'"),
         ("diffusion=nope", "diffusion: expected one of: gaussian, luo_wu, none; got 'nope'"),
         ("map=nope", "map: expected one of: env1, env2, fig13, file; got 'nope'"),
         ("nope=1", "nope is not a known key"),
@@ -33,8 +33,8 @@ from acoexp.presets import conf_dir
         # what Hydra does not word for a person
         ("~seed", "seed"),
         ("~algo", "algo"),
-        ("algo=null", ""),
-        ("=3", ""),
+        ("algo=null", "algo: expected one of the options"),
+        ("=3", "=3: expected key=value"),
     ],
 )
 def test_a_bad_setting_is_refused(given: str, said: str, tmp_path: Path) -> None:

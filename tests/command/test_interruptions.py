@@ -68,8 +68,12 @@ def plugin(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 @pytest.mark.parametrize(
     ("bad", "good", "said"),
     [
-        ("post=forgetful", "geometric", "post 'forgetful' returned what is no path from start to goal"),
-        ("heuristic=raising", "goal_distance", "heuristic 'raising'"),
+        ("post=forgetful", "geometric", "post 'forgetful' of package faulty-parts 1.0 returned what is no path"),
+        (
+            "heuristic=raising",
+            "goal_distance",
+            "heuristic 'raising' of package faulty-parts 1.0 failed in eta: ZeroDivisionError",
+        ),
     ],
 )
 def test_a_part_that_breaks_its_contract_fails_its_own_jobs_alone(

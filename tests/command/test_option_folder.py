@@ -47,7 +47,7 @@ def test_an_own_preset_sets_scalars_and_parts(tmp_path: Path) -> None:
 
 def test_an_own_preset_has_to_say_which_of_ours_it_changes(tmp_path: Path) -> None:
     write(tmp_path / "mine", "algo/fast", "# @package _global_\nrho: 0.25\n")
-    assert refusal("-cd", "mine", "algo=fast", *QUICK, cwd=tmp_path).startswith("algo: expected one of: aco, pd")
+    assert refusal("-cd", "mine", "algo=fast", *QUICK, cwd=tmp_path).startswith("algo: expected one of: aco, acs")
 
 
 def test_an_own_group_is_added_in_a_sweep(tmp_path: Path) -> None:

@@ -36,6 +36,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
 
 def test_its_folder_holds_record_configuration_and_pictures(run: Run) -> None:
     names = {name for name in listing(run.folder) if not name.startswith(".hydra")}
+    names.discard("acoexp.log")  # there if the kernels had to be compiled
     assert names == {"trial.json", "config.yaml", "path.png", "convergence.png"}
 
 
@@ -97,3 +98,15 @@ def test_output_that_can_show_ascii_only_harms_nothing(tmp_path: Path) -> None:
     ended = run_acoexp("-m", "seed=0,1", *QUICK, cwd=tmp_path, env={"PYTHONIOENCODING": "ascii"})
     assert ended.returncode == 0, ended.stderr
     assert "2 of 2 trials finished" in ended.stdout
+
+
+def test_a_folder_that_was_used_before_lends_its_trials_to_nobody(tmp_path: Path) -> None:
+    again = (*QUICK, "hydra.sweep.dir=again", "-m")
+    assert "2 of 2 trials" in run_acoexp("seed=0,1", *again, cwd=tmp_path).stdout
+    assert "1 of 1 trials" in run_acoexp("seed=5", "hydra.sweep.subdir=fifth/x", *again, cwd=tmp_path).stdout
+
+
+def test_each_store_that_a_sweep_names_is_prepared(tmp_path: Path) -> None:
+    ended = run_acoexp("-m", "tracking=mlflow,none", "iterations=3", "ants=2", cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert "mlflow.db, not tracked" in ended.stdout

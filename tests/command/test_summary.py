@@ -32,7 +32,7 @@ def table_of(folder: Path, trials: list[dict[str, Any]], capsys: pytest.CaptureF
     for number, content in enumerate(trials):
         (folder / str(number)).mkdir()
         (folder / str(number) / "trial.json").write_text(json.dumps(content), encoding="utf-8")
-    summary.print_sweep(folder, jobs=len(trials), where="nowhere", seconds=1.0)
+    summary.print_sweep(folder, sorted(folder.rglob("trial.json")), jobs=len(trials), where="nowhere", seconds=1.0)
     return [line.split() for line in capsys.readouterr().out.splitlines()]
 
 

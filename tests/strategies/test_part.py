@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import signal
+import subprocess
+import sys
+import time
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +21,7 @@ from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import multiply
 from acoexp.colony.problem import Problem
 from acoexp.strategies import Choice, Diffusion, Heuristic, Post
+from acoexp.strategies.diffusion.gaussian import Gaussian
 from acoexp.strategies.update.ant_cycle import AntCycle
 
 CORNER = {"map": [[0, 1], [0, 0]], "moves": "no_cut", "ants": 2, "iterations": 3}
@@ -141,3 +146,50 @@ def test_parts_of_ones_own_make_the_algorithm_a_custom_one() -> None:
 def test_a_kind_of_part_in_the_place_of_another_is_refused() -> None:
     with pytest.raises(acoexp.SettingsError, match=r"diffusion: expected .* a Diffusion object"):
         acoexp.solve(algo="aco", diffusion=Jumping(), **CORNER)
+
+
+@compiled
+def go_to_and_fro(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    """Go east and back again, whatever is tabu."""
+    return 0 if came == 8 or came == 4 else 4
+
+
+class Restless(Choice):
+    kernel = staticmethod(go_to_and_fro)
+
+
+def test_a_choice_that_never_comes_to_an_end_is_reported() -> None:
+    with pytest.raises(StrategyError, match=r"choice 'Restless'.* broke its contract"):
+        acoexp.solve(algo="aco", choice=Restless(), **CORNER)
+
+
+@pytest.mark.parametrize("gamma", [float("nan"), -1.0, 5.0, "x"])
+def test_a_parameter_of_a_part_given_as_an_object_is_checked_too(gamma: Any) -> None:
+    with pytest.raises(acoexp.SettingsError, match=r"diffusion.gamma: expected a number from 0 to 1"):
+        acoexp.solve("fig13", "pd", diffusion=Gaussian(gamma=gamma))
+
+
+def test_one_failing_trial_stops_the_others_soon() -> None:
+    began = time.perf_counter()
+    with pytest.raises(StrategyError, match="broke its contract"):
+        acoexp.solve_many(algo="aco", choice=Restless(), seeds=range(10**5), threads=2, **CORNER)
+    assert time.perf_counter() - began < 60.0, "a hundred thousand trials would take longer"
+
+
+SLOW_TRIAL = """
+import acoexp, time
+acoexp.solve("fig13", "aco", iterations=1)
+print("ready", flush=True)
+acoexp.solve("fig13", "aco", iterations=1_000_000, ants=50)
+"""
+
+
+@pytest.mark.slow_without_jit
+def test_a_long_trial_can_be_interrupted() -> None:
+    process = subprocess.Popen([sys.executable, "-c", SLOW_TRIAL], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdout is not None
+    assert process.stdout.readline() == b"ready\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=20)
+    assert b"KeyboardInterrupt" in errors

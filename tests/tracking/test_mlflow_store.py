@@ -15,9 +15,9 @@ from mlflow.entities import Run
 from running import environment
 
 from acoexp import solve
-from acoexp.errors import TrackingError
+from acoexp.errors import SettingsError, TrackingError
 from acoexp.result import Result
-from acoexp.tracking import Trial
+from acoexp.tracking import Trial, open_tracker
 from acoexp.tracking.mlflow_store import MlflowTracker, _git_commit
 
 CONFIG = {"algo": "aco", "seed": 0, "map": {"name": "fig13", "path": "yard.txt"}}
@@ -186,3 +186,27 @@ def test_the_commit_of_a_working_directory_in_a_repository_is_a_tag(
         assert log(uri, result).data.tags["mlflow.source.git.commit"] == git("rev-parse", "HEAD")
     finally:
         _git_commit.cache_clear()
+
+
+def test_a_folder_is_no_store_and_that_is_told_at_once(tmp_path: Path) -> None:
+    with pytest.raises(TrackingError, match="unable to open database file"):
+        MlflowTracker(f"sqlite:///{tmp_path}").prepare()
+
+
+@pytest.mark.parametrize("uri", ["sqlite://", "sqlite:///", "sqlite:///:memory:", "sqlite:///file:x?mode=memory"])
+def test_a_store_that_does_not_last_is_refused(uri: str) -> None:
+    with pytest.raises(SettingsError, match="expected the address of an MLflow store that lasts"):
+        open_tracker({"name": "mlflow", "uri": uri})
+
+
+def test_an_experiment_that_was_deleted_in_the_ui_is_brought_back(result: Result, tmp_path: Path) -> None:
+    uri = f"sqlite:///{tmp_path}/mlflow.db"
+    MlflowTracker(uri).prepare()
+    client = MlflowClient(uri)
+    client.delete_experiment(client.get_experiment_by_name("acoexp").experiment_id)
+    MlflowTracker(uri).prepare()
+    assert log(uri, result).info.status == "FINISHED"
+
+
+def test_a_password_is_not_shown() -> None:
+    assert "secret" not in MlflowTracker("http://me:secret@server:5000").where

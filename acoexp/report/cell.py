@@ -1,0 +1,72 @@
+"""Cells: configurations written as texts, such as ``pdg diffusion.gamma=0.02``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from omegaconf import OmegaConf
+from omegaconf.errors import OmegaConfBaseException
+from yaml import YAMLError
+
+from acoexp.errors import SettingsError, StrategyError
+from acoexp.registry import STRATEGY_GROUPS
+from acoexp.settings import Settings, resolve
+
+
+class Cell(NamedTuple):
+    """One configuration to be compared.
+
+    Attributes:
+        label: Its text, by which it is called in tables.
+        settings: What it resolves to.
+    """
+
+    label: str
+    settings: Settings
+
+
+def parse_cells(texts: Sequence[str], base: Mapping[str, Any]) -> list[Cell]:
+    """Return the cells that texts describe.
+
+    Args:
+        texts: Each a preset's name and overrides ``key=value``, separated by blanks.
+        base: Settings that hold for all cells unless a text says otherwise.
+
+    Raises:
+        SettingsError: for a text that does not describe a configuration, fewer than two, or one given twice.
+        StrategyError: for a part whose package cannot be imported.
+    """
+    cells = [_parse(" ".join(text.split()), base) for text in texts]
+    labels = [cell.label for cell in cells]
+    if len(labels) < 2 or len(set(labels)) < len(labels):
+        raise SettingsError(f"report.cells: expected two or more, each different; got {labels}")
+    return cells
+
+
+def _parse(text: str, base: Mapping[str, Any]) -> Cell:
+    algo, *overrides = text.split() or [""]
+    try:
+        given = _nested(overrides)
+        merged = {**base, **given}
+        if isinstance(base.get("field"), Mapping) and isinstance(given.get("field"), Mapping):
+            merged["field"] = {**base["field"], **given["field"]}
+        return Cell(text, resolve(algo, merged))
+    except (SettingsError, StrategyError) as problem:
+        raise type(problem)(f"report.cells: {text!r}: {problem}") from problem
+
+
+def _nested(overrides: Sequence[str]) -> dict[str, Any]:
+    """Return ``key=value`` texts as nested settings; a part's name stands under ``name``."""
+    dotted = []
+    for override in overrides:
+        key, equals, value = override.partition("=")
+        if not key or not equals:
+            raise SettingsError(f"expected key=value; got {override!r}")
+        dotted.append(f"{key}.name={value}" if key in STRATEGY_GROUPS else override)
+    try:
+        nested = OmegaConf.to_container(OmegaConf.from_dotlist(dotted), resolve=False)
+    except (OmegaConfBaseException, YAMLError, ValueError, TypeError) as problem:
+        reason = str(problem).splitlines()[0]
+        raise SettingsError(f"expected key=value, as on the command line; {reason}") from problem
+    return {str(key): value for key, value in nested.items()} if isinstance(nested, dict) else {}

@@ -1,0 +1,1 @@
+"""A pheromone diffusion for acoexp: each edge is weakened as it is walked."""

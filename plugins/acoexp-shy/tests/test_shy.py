@@ -1,0 +1,27 @@
+"""The contract, and what makes this strategy what it is."""
+
+from __future__ import annotations
+
+from acoexp_shy.shy import Shy
+
+import acoexp
+from acoexp.testing import StrategyContract, everything
+
+
+class TestShy(StrategyContract):
+    part = Shy(keep=0.9)
+
+
+def test_an_edge_that_keeps_all_its_pheromone_is_no_different() -> None:
+    plain, shy = (
+        acoexp.solve("env2", "aco", seed=1, diffusion=d, ants=4, iterations=5) for d in ("none", Shy(keep=1.0))
+    )
+    assert everything(plain) == everything(shy).replace('"custom"', '"aco"')
+
+
+def test_ants_walk_more_ways_than_without() -> None:
+    lengths = [
+        acoexp.solve("env2", "aco", seed=1, diffusion=diffusion, ants=4, iterations=20).curve
+        for diffusion in ("none", Shy(keep=0.5))
+    ]
+    assert len(set(lengths[0].tolist())) < len(set(lengths[1].tolist()))

@@ -1,0 +1,135 @@
+"""The contract's tests themselves: a part that breaks the contract fails the test that is there for it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numba
+import pytest
+
+from acoexp import StrategyError
+from acoexp.strategies.choice.roulette import Roulette
+from acoexp.strategies.diffusion.gaussian import Gaussian
+from acoexp.strategies.heuristic.potential_field import ForceGuided
+from acoexp.strategies.post.geometric import Geometric
+from acoexp.strategies.update.dual_ant_cycle import DualAntCycle
+from acoexp.testing import StrategyContract
+
+pytestmark = [
+    pytest.mark.slow_without_jit,
+    pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="compares with compiled kernels"),
+]
+
+PARTS = """
+from dataclasses import dataclass
+
+import numpy as np
+
+from acoexp.colony.compiled import compiled
+from acoexp.colony.pheromone import set_level
+from acoexp.strategies import Diffusion
+
+
+@compiled
+def beyond(colony, own, ant, cell, came):
+    own[0][cell] = 1.0
+
+
+@compiled
+def at_random(colony, own, ant, cell, came):
+    set_level(colony, cell * 8 + 1, np.random.random())
+
+
+@compiled
+def wrap_around(colony, own, ant, cell, came):
+    set_level(colony, cell * 8 + 1, float(own[0][0] + own[0][0]))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Beyond(Diffusion):
+    kernel = staticmethod(beyond)
+
+    def prepare(self, problem):
+        return (np.zeros(problem.grid.obstacles.size),)  # it has forgotten the border
+
+
+@dataclass(frozen=True, kw_only=True)
+class Random(Diffusion):
+    kernel = staticmethod(at_random)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wrapping(Diffusion):
+    kernel = staticmethod(wrap_around)
+
+    def prepare(self, problem):
+        return (np.full(1, 200, dtype=np.uint8),)
+"""
+
+
+@pytest.fixture
+def contract_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
+    """Return a function that makes the tests of a faulty part."""
+    (tmp_path / "faulty_diffusions.py").write_text(PARTS, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    module = import_module("faulty_diffusions")
+
+    def make(name: str) -> StrategyContract:
+        tests = StrategyContract()
+        tests.part = getattr(module, name)()  # type: ignore[misc]
+        return tests
+
+    yield make
+    del sys.modules["faulty_diffusions"]
+
+
+def test_an_index_out_of_bounds_is_found(contract_of: Any) -> None:
+    with pytest.raises(AssertionError, match=r"NUMBA_BOUNDSCHECK(.|\n)*IndexError"):
+        contract_of("Beyond").test_nothing_is_read_or_written_out_of_bounds()
+
+
+def test_random_numbers_of_its_own_are_found(contract_of: Any) -> None:
+    with pytest.raises(AssertionError, match="other results than one by one"):
+        contract_of("Random").test_a_trial_depends_on_its_seed_alone()
+
+
+def test_arithmetic_that_the_compiler_does_in_another_way_is_found(contract_of: Any) -> None:
+    with pytest.raises(AssertionError):
+        contract_of("Wrapping").test_without_the_compiler_it_does_the_same()
+
+
+def test_a_part_that_no_other_process_can_import_is_told_of() -> None:
+    class Local(Gaussian):
+        pass
+
+    tests = StrategyContract()
+    tests.part = Local()  # type: ignore[misc]
+    with pytest.raises(AssertionError, match="where it can be imported"):
+        tests.test_without_the_compiler_it_does_the_same()
+
+
+@pytest.mark.parametrize("part", [ForceGuided(), Roulette(), Gaussian(), Geometric(), DualAntCycle()])
+def test_a_part_of_each_group_passes(part: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    tests, noted = StrategyContract(), {}
+    tests.part = part  # type: ignore[misc]
+    tests.test_it_compiles_and_finds_valid_paths()
+    tests.test_a_trial_depends_on_its_seed_alone()
+    tests.test_without_the_compiler_it_does_the_same()
+    tests.test_cost_per_ant_step(noted.__setitem__)
+    assert noted["ratio_to_plain"] > 0.1
+    assert f"{type(part).__name__}: " in capsys.readouterr().out
+
+
+def test_a_broken_contract_fails_the_first_test() -> None:
+    class Lost(Gaussian):
+        def prepare(self, problem: Any) -> Any:
+            raise ZeroDivisionError
+
+    tests = StrategyContract()
+    tests.part = Lost()  # type: ignore[misc]
+    with pytest.raises(StrategyError, match="failed in prepare"):
+        tests.test_it_compiles_and_finds_valid_paths()
