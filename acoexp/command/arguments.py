@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from argparse import ArgumentParser
+from collections.abc import MutableMapping
 from datetime import datetime
 from secrets import token_hex
 from typing import NamedTuple, NoReturn
@@ -23,6 +24,14 @@ _WHOLE_KEYS = {"seed", *(name for name, field in fields_of(ColonySettings).items
 
 MOST_JOBS = 100_000
 """Values that one key of a sweep may have; each job costs Hydra some 50 ms."""
+
+
+def complete_past_flags(environment: MutableMapping[str, str]) -> None:
+    """Take ``-m`` out of the line that a shell wants completed: Hydra completes no override behind it."""
+    line = environment.get("COMP_LINE")
+    if line is not None:
+        environment["COMP_LINE"] = re.sub(r"\s(-m|--multirun)(?=\s)", "", line)
+        environment["COMP_POINT"] = str(len(environment["COMP_LINE"]))
 
 
 class Arguments(NamedTuple):

@@ -22,6 +22,7 @@ acoexp: ant-colony path planning of mobile robots on occupancy grids
   python -m acoexp algo=aco,pd,pdg map=env2 -m seed=0-9  compare
 
 Say group=option, or key=value. Sweep over several values by -m: seed=0-4,7 algo=aco,pdg rho=0.3,0.5
+If nothing is said: algo=pdg map=fig13 seed=0 tracking=mlflow report=none
 """
 
 

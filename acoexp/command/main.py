@@ -10,7 +10,7 @@ from hydra.errors import HydraException
 from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command import sweep
-from acoexp.command.arguments import PARTS_INFO, normalise
+from acoexp.command.arguments import PARTS_INFO, complete_past_flags, normalise
 from acoexp.command.job import run_job
 from acoexp.command.messages import print_error
 from acoexp.command.options import register_options
@@ -32,6 +32,7 @@ def main() -> None:
             return
         register_options(arguments.config_dir)
         sys.argv[1:] = arguments.argv
+        complete_past_flags(os.environ)
         hydra.main(version_base="1.3", config_path=str(conf_dir()), config_name="config")(run_job)()
     except KeyboardInterrupt:
         sweep.finish()

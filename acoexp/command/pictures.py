@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator, ScalarFormatter
+from matplotlib.ticker import MaxNLocator, StrMethodFormatter
 
 from acoexp.result import Result
 
@@ -63,7 +63,8 @@ def draw_convergence(result: Result, file: Path) -> None:
         xscale="log",
         ylabel="path length (cells)",
     )
-    axes.xaxis.set_major_formatter(ScalarFormatter())
+    axes.set_xlim(0.9, len(cycles) * 1.1)
+    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:.0f}"))
     axes.legend(frameon=False)
     _save(figure, file)
 

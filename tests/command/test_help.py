@@ -104,7 +104,10 @@ def test_a_console_script_is_declared() -> None:
     assert script.value == "acoexp.command.main:main"
 
 
-@pytest.mark.parametrize(("typed", "proposed"), [("acoexp algo=p", "algo=pdg"), ("acoexp -m map=en", "map=env2")])
+@pytest.mark.parametrize(
+    ("typed", "proposed"),
+    [("acoexp algo=p", "algo=pdg"), ("acoexp -m map=en", "map=env2"), ("acoexp map=env2 -m algo=p", "algo=pd")],
+)
 def test_the_console_script_completes(typed: str, proposed: str, tmp_path: Path) -> None:
     script = Path(sysconfig.get_path("scripts"), "acoexp")
     ended = subprocess.run(
