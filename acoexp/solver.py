@@ -144,7 +144,7 @@ class Solver:
         if verdict == UNSOUND:
             suspects = " or ".join(blame.told(self.settings, group) for group in Own._fields)
             raise StrategyError(
-                f"{suspects} broke its contract, seed {seed}: it left pheromone that is negative or not a number; "
+                f"{suspects} broke its contract, seed {seed}: it made pheromone negative or not a number; "
                 "expected numbers, at least 0"
             )
         if verdict == STOPPED:

@@ -70,7 +70,7 @@ def test_with_an_array_an_unknown_rule_is_refused(moves: str) -> None:
 
 
 def test_settings_are_checked_before_anything_runs() -> None:
-    for wrong in ({"ants": 0}, {"algo": "acs"}, {"diffusion": "gausian"}, {"gama": 1}, {"seed": -1}):
+    for wrong in ({"ants": 0}, {"algo": "pgd"}, {"diffusion": "gausian"}, {"gama": 1}, {"seed": -1}):
         with pytest.raises(SettingsError):
             solve(YARD, **wrong)
 

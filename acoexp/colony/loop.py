@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import is_sound, refresh, reset
+from acoexp.colony.pheromone import refresh, reset
 from acoexp.colony.random import seed_stream
 from acoexp.colony.state import LOST, NO_WAY_HERE
 from acoexp.colony.tabu import forget, touch
@@ -25,7 +25,7 @@ NO_PATH = -1
 """What the loop returns if a choice made moves that are not allowed, or never came to an end."""
 
 UNSOUND = -3
-"""What the loop returns if a part left pheromone that is negative or not a number."""
+"""What the loop returns if a part made pheromone negative or not a number."""
 
 STOPPED = -2
 """What the loop returns if it was told to stop."""
@@ -111,7 +111,7 @@ def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: 
             _note_best(raw, final, best, record, cycle)
             update(colony, own.update, raw, final, best)
             refresh(colony)
-        if not is_sound(colony):
+        if colony.unsound[0]:
             return UNSOUND
         for row in range(2):
             if best.length[row] < np.inf and not leads_to_goal(colony, best, row):
@@ -127,6 +127,7 @@ def _begin(colony: Any, initial: Any, best: Any, record: Any, seed: Any) -> None
     seed_stream(colony.random, seed)
     reset(colony, initial)
     colony.untouched[:] = 1.0
+    colony.unsound[0] = 0
     best.length[:] = np.inf
     best.steps[:] = 0
     record.pairs[:] = -1

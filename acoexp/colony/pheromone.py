@@ -79,6 +79,8 @@ def lay(colony: Any, trails: Any, ant: Any, amount: Any) -> None:
     """Add pheromone to every edge of an ant's path; for updates, whose weights are brought up to date after."""
     if amount / colony.scale[0] > colony.highest_stored:
         _raise_scale(colony, amount)
+    if not amount >= 0.0:
+        colony.unsound[0] = 1
     share = amount / colony.scale[0]
     cell = colony.start
     for step in range(trails.steps[ant]):
@@ -121,17 +123,10 @@ def refresh(colony: Any) -> None:
 
 
 @compiled
-def is_sound(colony: Any) -> Any:
-    """Tell whether every level and weight is a number, and at least 0."""
-    wrong = 0
-    for edge in range(colony.stored.size):
-        wrong += not (colony.stored[edge] >= 0.0 and colony.weight[edge] >= 0.0)
-    return wrong == 0
-
-
-@compiled
 def _store(colony: Any, edge: Any, stored: Any) -> None:
     """Set an edge's stored value and its weight, unless that waits for an update's end anyway."""
+    if not stored >= 0.0:
+        colony.unsound[0] = 1
     if stored > colony.highest_stored:
         amount = min(stored * colony.scale[0], _HIGHEST_SCALE)
         _raise_scale(colony, amount)

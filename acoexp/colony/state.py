@@ -64,6 +64,7 @@ class Colony(NamedTuple):
             which costs the choice less than a comparison.
         cycle: * int64[1], the cycle, 1..iterations.
         random: * uint64[4], the trial's random numbers; draw by ``uniform``.
+        unsound: * uint8[1], not 0 once a part made a level negative or not a number.
         stop: * uint8[1], not 0 once the trial is to end after this cycle.
     """
 
@@ -90,6 +91,7 @@ class Colony(NamedTuple):
     untouched: NDArray[np.float64]
     cycle: NDArray[np.int64]
     random: NDArray[np.uint64]
+    unsound: NDArray[np.uint8]
     stop: NDArray[np.uint8]
 
 
@@ -150,5 +152,6 @@ def new_colony(problem: Problem, desirability: NDArray[np.float64], stop: NDArra
         untouched=np.ones(cells),
         cycle=np.zeros(1, dtype=np.int64),
         random=np.zeros(4, dtype=np.uint64),
+        unsound=np.zeros(1, dtype=np.uint8),
         stop=stop,
     )

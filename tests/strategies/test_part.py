@@ -18,7 +18,7 @@ from samples import as_cells, is_way, random_grid
 import acoexp
 from acoexp import StrategyError
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import multiply
+from acoexp.colony.pheromone import deposit, multiply
 from acoexp.colony.problem import Problem
 from acoexp.strategies import Choice, Diffusion, Heuristic, Post
 from acoexp.strategies.diffusion.gaussian import Gaussian
@@ -193,3 +193,27 @@ def test_a_long_trial_can_be_interrupted() -> None:
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=20)
     assert b"KeyboardInterrupt" in errors
+
+
+@compiled
+def spoil(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> None:
+    """Add an amount that is none."""
+    deposit(colony, cell * 8, own[0])
+
+
+@dataclass(frozen=True)
+class Spoiling(Diffusion):
+    amount: float
+
+    kernel = staticmethod(spoil)
+
+    def prepare(self, problem: Problem) -> tuple[float]:
+        return (self.amount,)
+
+
+@pytest.mark.parametrize("amount", [float("nan"), -100.0])
+def test_pheromone_that_is_no_number_or_negative_is_reported(amount: float) -> None:
+    with pytest.raises(
+        StrategyError, match=r"diffusion 'Spoiling'.* broke its contract, seed 0: it made pheromone"
+    ):
+        acoexp.solve("fig13", "aco", diffusion=Spoiling(amount), iterations=5)
