@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numba
 import pytest
 import reference
@@ -22,6 +24,19 @@ OTHER_CONSTANTS = {
     "blind": {"alpha": 0.0, "beta": 0.0, "rho": 0.0, "gamma": 1.0, "ants": 25},
     "pushed": {"repulsion": 300.0, "reach": 2.5, "attraction": 0.1, "guidance": 2.0, "gamma": 0.5},
 }
+
+READINGS: dict[str, list[dict[str, Any]]] = {
+    "aco": [{"pheromone": "cells"}, {"order": "lock_step"}],
+    "pd": [
+        *({"source": source} for source in ("walked_edge", "sum_in", "mean_out", "max_out")),
+        {"pheromone": "cells", "source": "walked_edge"},
+        {"pheromone": "cells", "order": "lock_step"},
+        {"obstacles": "nearest"},
+    ],
+    "pdg": [{"pheromone": "cells"}, {"order": "lock_step"}],
+    "pf": [{"pheromone": "cells"}, {"order": "lock_step", "source": "walked_edge"}, {"obstacles": "nearest"}],
+}
+"""Other decisions where the paper leaves one open, by algorithm; not all combinations, each takes its time."""
 
 
 def assert_same_trial(grid: Grid, colony: Colony, seed: int) -> None:
@@ -53,3 +68,15 @@ def test_on_other_maps_and_with_other_constants_too(moves: str, constants: str, 
     colony = Colony(algo, **{"iterations": CYCLES, **OTHER_CONSTANTS[constants]})
     for seed, (rows, cols) in zip(SEEDS, [(9, 30), (23, 14)], strict=False):
         assert_same_trial(random_grid(seed, rows, cols, moves), colony, seed)
+
+
+@pytest.mark.parametrize(
+    ("algo", "reading"), [(a, r) for a, readings in READINGS.items() for r in readings], ids=str
+)
+def test_under_the_other_readings_of_the_paper_too(reading: dict[str, Any], algo: str) -> None:
+    """Everywhere at once with the paper's constants and with such that make the differences large."""
+    assert_same_trial(as_grid("env2"), Colony(algo, iterations=CYCLES, **reading), 0)
+    for seed, moves in zip(SEEDS, ["free", "no_squeeze", "no_cut"], strict=False):
+        constants = OTHER_CONSTANTS[["sharp", "forgetful", "pushed"][seed]]
+        colony = Colony(algo, **{"iterations": CYCLES, **constants, **reading})
+        assert_same_trial(random_grid(seed, 9, 20, moves), colony, seed)
