@@ -33,7 +33,7 @@ class FieldSettings:
     reach: float = parameter(4.0, "distance rho_0 in cells beyond which obstacles do not push", above=0.0)
     obstacles: str = parameter(
         "sum",
-        "obstacle cells that push: all in reach (Eq. 4), or the nearest, the mean of several (Eq. 3)",
+        "obstacle cells that push: all in reach (Eq. 4), or the nearest alone (Eq. 3)",
         choices=("sum", "nearest"),
     )
 

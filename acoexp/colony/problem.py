@@ -31,13 +31,12 @@ class ColonySettings:
     )
     pheromone: str = parameter(
         "edges",
-        "where pheromone lies: on edges (Eqs 18, 19), or on cells, so that all edges into a cell share its level "
-        "(Sect. 3.4, step 3)",
+        "where pheromone lies (Eqs 18, 19 or Sect. 3.4, step 3); all edges into a cell share its level",
         choices=("edges", "cells"),
     )
     order: str = parameter(
         "in_turn",
-        "how the ants of a cycle walk: one after another, or each one step in turn",
+        "how the ants of a cycle walk: one after another, or one step each in turn",
         choices=("in_turn", "lock_step"),
     )
 

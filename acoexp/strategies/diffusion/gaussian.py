@@ -63,8 +63,7 @@ class Gaussian(Diffusion):
     gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
     source: str = parameter(
         FORCE_EDGE,
-        "what phi(i) is, the pheromone that diffuses: of the edge along the force, of the edge just walked, the "
-        "sum over the edges into i, or the mean or the highest over those that leave it",
+        "phi(i): of the edge along the force, or just walked; over the edges into i, or those that leave it",
         choices=SOURCES,
     )
 

@@ -60,8 +60,7 @@ class LuoWu(Diffusion):
     gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
     source: str = parameter(
         FORCE_EDGE,
-        "what phi(i) is, the pheromone that diffuses: of the nearest edge beside the force, of the edge just "
-        "walked, the sum over the edges into i, or the mean or the highest over those that leave it",
+        "phi(i): of the edge nearest to the force, or just walked; over the edges into i, or those that leave it",
         choices=SOURCES,
     )
 

@@ -67,19 +67,18 @@ def test_with_pheromone_on_cells_the_walked_edge_has_that_of_the_ants_own_cell()
     assert gained("walked_edge", E, pheromone="cells", s_in=4.0) == pytest.approx(4.0)
 
 
-@pytest.mark.parametrize("pheromone", ["edges", "cells"])
 @pytest.mark.parametrize("source", SOURCES)
 @pytest.mark.parametrize(
     ("kind", "diffuse", "algo"), [(Gaussian, diffuse_gaussian, "pd"), (LuoWu, diffuse_luo_wu, "pf")]
 )
 def test_on_every_cell_it_does_what_the_reference_does(
-    kind: type[Any], diffuse: Any, algo: str, source: str, pheromone: str
+    kind: type[Any], diffuse: Any, algo: str, source: str
 ) -> None:
     grid, draw = random_grid(13, 9, 12, "no_squeeze", density=0.3), random.Random(0)
-    problem, part = problem_on(grid, pheromone=pheromone), kind(gamma=0.4, source=source)
+    problem, part = problem_on(grid), kind(gamma=0.4, source=source)
     colony, own = colony_on(problem), part.prepare(problem)
     reference, moves = Reference(algo, gamma=0.4, source=source), moves_of(grid)
-    tau = Pheromone(moves, pheromone, 1.0)
+    tau = Pheromone(moves, "edges", 1.0)
     for cell, direction in tau.place:
         tau[cell, direction] = amount = draw.uniform(0.5, 2.0)
         set_level(colony, number_of(problem, cell) * 8 + direction, amount)
