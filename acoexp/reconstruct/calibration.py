@@ -19,7 +19,7 @@ from acoexp.reconstruct.fit import Fit
 from acoexp.reconstruct.layout import paint
 from acoexp.reconstruct.mapfile import map_text
 from acoexp.reconstruct.published import ENVIRONMENTS
-from acoexp.reconstruct.search import FRESH_BELOW, Search
+from acoexp.reconstruct.search import Search
 
 FRESH_SEEDS = range(1000)
 """Seeds of the trials by which a map's fit is reported; the search draws all of its own from above them."""
@@ -33,10 +33,10 @@ class Calibration:
     """A search for maps."""
 
     env: str = parameter("fig13", "environment of the paper to be reconstructed", choices=tuple(ENVIRONMENTS))
-    seed: int = parameter(0, "seed of the first run", minimum=0, maximum=FRESH_BELOW)
+    seed: int = parameter(0, "seed of the first run", minimum=0, maximum=999_999)
     runs: int = parameter(1, "runs, each from a seed of its own: seed, seed + 1, ...", minimum=1, maximum=10_000)
-    steps: int = parameter(3000, "candidates that a run lets ants walk on", minimum=1, maximum=10_000_000)
-    moves: str | None = parameter(None, "rule for diagonals; by default each run draws one", choices=MOVE_RULES)
+    steps: int = parameter(3000, "candidates that a run lets ants walk on", minimum=1, maximum=999_999)
+    moves: str | None = parameter(None, "rule for diagonals; by default the runs take turns", choices=MOVE_RULES)
     threads: int = parameter(1, "runs at a time; the maps do not depend on it", minimum=1, maximum=1024)
     out: str = parameter("outputs/maps", "folder for the map files")
 

@@ -60,8 +60,7 @@ class Search:
     def __init__(self, environment: Environment, seed: int, moves: str | None) -> None:
         self.environment = environment
         self.rng: Generator = np.random.default_rng(seed)
-        drawn = str(self.rng.choice(MOVE_RULES))
-        self.moves = drawn if moves is None else moves
+        self.moves = MOVE_RULES[seed % len(MOVE_RULES)] if moves is None else moves
         self._screen = Screen(self.moves)
         self._colonies = Colonies(self.moves, _CYCLES)
 
