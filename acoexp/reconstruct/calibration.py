@@ -16,8 +16,8 @@ from acoexp.grid import MOVE_RULES
 from acoexp.parameters import parameter
 from acoexp.reconstruct.colonies import Colonies
 from acoexp.reconstruct.fit import Fit
-from acoexp.reconstruct.layout import paint
-from acoexp.reconstruct.mapfile import map_text
+from acoexp.reconstruct.layout import Layout, paint
+from acoexp.reconstruct.mapfile import map_text, read_layout
 from acoexp.reconstruct.published import ENVIRONMENTS
 from acoexp.reconstruct.search import Search
 
@@ -37,30 +37,42 @@ class Calibration:
     runs: int = parameter(1, "runs, each from a seed of its own: seed, seed + 1, ...", minimum=1, maximum=10_000)
     steps: int = parameter(3000, "candidates that a run lets ants walk on", minimum=1, maximum=999_999)
     moves: str | None = parameter(None, "rule for diagonals; by default the runs take turns", choices=MOVE_RULES)
+    begin: str | None = parameter(None, "map file of an earlier run to go on from; its rule is kept")
     threads: int = parameter(1, "runs at a time; the maps do not depend on it", minimum=1, maximum=1024)
     out: str = parameter("outputs/maps", "folder for the map files")
 
     def search(self, seed: int, progress: Callable[[], None] = lambda: None) -> str:
         """Return the map file's text that one seed leads to."""
         environment = ENVIRONMENTS[self.env]
-        search = Search(environment, seed, self.moves)
-        layout = search.run(self.steps, progress)
+        begin, moves = self._beginning()
+        search = Search(environment, seed, moves)
+        layout = search.run(self.steps, progress, begin)
         outcomes = Colonies(search.moves, CYCLES).run(paint(layout), FRESH_SEEDS)
         command = f"python -m acoexp.reconstruct env={self.env} seed={seed} steps={self.steps}"
-        if self.moves is not None:
-            command += f" moves={self.moves}"
+        command += "".join(f" {key}={getattr(self, key)}" for key in ("moves", "begin") if getattr(self, key))
         return map_text(layout, search.moves, environment, Fit.of(environment, outcomes), command)
+
+    def _beginning(self) -> tuple[Layout | None, str | None]:
+        """Return the layout to go on from, and the rule for diagonals, where they are given."""
+        if self.begin is None:
+            return None, self.moves
+        if self.moves is not None:
+            raise SettingsError(
+                f"moves: expected nothing beside begin, whose map has its rule; got {self.moves!r}"
+            )
+        return read_layout(self.begin, ENVIRONMENTS[self.env])
 
     def run(self) -> list[Path]:
         """Search from every seed, write each map as soon as it is found, and return the files.
 
         Raises:
-            SettingsError: if the folder cannot be written to.
+            SettingsError: if the map to begin with is none, or the folder cannot be written to.
         """
         seeds = range(self.seed, self.seed + self.runs)
         columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
         console = Console(stderr=True)
         files = {seed: Path(self.out) / f"{self.env}-{seed:02d}.txt" for seed in seeds}
+        self._beginning()  # so that nothing is written if it is wrong
         _make_folder(Path(self.out))
         stopped = threading.Event()
         with (

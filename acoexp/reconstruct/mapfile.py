@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from acoexp.errors import MapError, SettingsError
+from acoexp.maps.file import MapFile
 from acoexp.reconstruct.fit import Fit
-from acoexp.reconstruct.layout import Layout, paint
+from acoexp.reconstruct.layout import Layout, is_layout, paint
 from acoexp.reconstruct.published import Environment
 
 ORIGIN = (
@@ -38,3 +42,25 @@ def map_text(layout: Layout, moves: str, environment: Environment, fit: Fit, com
 
 def _counts(counts: dict[str, int]) -> str:
     return ", ".join(f"{length} {count}" for length, count in counts.items())
+
+
+def read_layout(path: str, environment: Environment) -> tuple[Layout, str]:
+    """Return the rectangles of a map file, and its rule for diagonals, to go on from.
+
+    Raises:
+        SettingsError: if it cannot be read, does not tell its rectangles, or has not the environment's optimum.
+    """
+    try:
+        grid = MapFile(path=path).load()
+    except MapError as problem:
+        raise SettingsError(f"begin: {str(problem).removeprefix('map.path: ')}") from problem
+    try:
+        rectangles = grid.metadata["rectangles"].split(",")
+        layout = np.array([[int(n) for n in rectangle.split()] for rectangle in rectangles]).reshape(-1, 4)
+    except (KeyError, ValueError) as problem:
+        raise SettingsError(
+            f"begin: expected a map file with a line '; rectangles: ...'; got {path!r}"
+        ) from problem
+    if not is_layout(layout) or grid.optimum_pair != environment.optimum:
+        raise SettingsError(f"begin: expected a 20 x 20 map with the optimum of {environment.name}; got {path!r}")
+    return layout, grid.moves

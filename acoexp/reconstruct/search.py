@@ -34,8 +34,8 @@ _RUNGS = (8, 16, 32, 64, 128)
 _SLACK = 160.0
 """How far a candidate may lie behind: this over its trials, for so much its likelihood is underestimated."""
 
-_HOT, _COLD = 2.5, 0.4
-"""Temperature at the first and the last step, in units of the log-likelihood."""
+_HOT, _WARM, _COLD = 2.5, 1.0, 0.4
+"""Temperature at the first step, at that of a run that begins with a map given, and at the last step."""
 
 _CYCLES = 100
 """Cycles of a trial while searching: by then colonies have converged, and what follows would double the time."""
@@ -64,12 +64,13 @@ class Search:
         self._screen = Screen(self.moves)
         self._colonies = Colonies(self.moves, _CYCLES)
 
-    def run(self, steps: int, progress: Callable[[], None]) -> Layout:
-        """Return the best map that so many steps lead to."""
-        current = self._begun()
+    def run(self, steps: int, progress: Callable[[], None], begin: Layout | None = None) -> Layout:
+        """Return the best map that so many steps lead to, from a layout given or from the best of many."""
+        current = self._begun() if begin is None else self._tried(begin, _RUNGS[-1])
+        first = _HOT if begin is None else _WARM
         elite = [current]
         for step in range(steps):
-            temperature = _HOT * (_COLD / _HOT) ** (step / steps)
+            temperature = first * (_COLD / first) ** (step / steps)
             threshold = current.score + temperature * np.log(self.rng.random())
             challenger = self._raced(self._neighbour(current.layout), threshold)
             if challenger is not None:
