@@ -149,6 +149,22 @@ class Solver:
                 stop[0] = 1
                 raise
 
+    def pheromone(self, seed: int) -> NDArray[np.float64]:
+        """Run one trial and return the pheromone it leaves, float64[rows, cols, 8]: that of each move from each cell.
+
+        It is that after the last cycle, so ``iterations`` says which. Levels count relative to each other; nan
+        where a move is not allowed.
+
+        Raises:
+            SettingsError: if the seed is not a whole number from 0 to 2^64 - 1.
+            StrategyError: if a part broke its contract.
+        """
+        workspace = self._new_workspace(np.zeros(1, dtype=np.uint8))
+        self._trial(workspace, check_seed(seed))
+        levels = workspace.colony.stored * workspace.colony.scale[0]
+        bordered = levels.reshape(-1, self._problem.width, 8)
+        return np.where(self._problem.allowed_edges(), bordered[1:-1, 1:-1], np.nan)
+
     def _outcome(self, workspace: Workspace, seed: int) -> Result | Failure:
         try:
             return self._trial(workspace, seed)

@@ -34,8 +34,7 @@ def as_markdown(title: str, lead: str, tables: Sequence[Table], picture: str) ->
     """Return a page with all tables and a link to the picture."""
     blocks = [f"# {title}", lead]
     for table in tables:
-        lines = [_pipes(table.headings), _pipes(["---"] * len(table.headings)), *map(_pipes, table.rows)]
-        blocks += [f"## {table.title}", table.note, "\n".join(lines)]
+        blocks += [f"## {table.title}", table.note, markdown_table(table)]
     blocks += ["## Convergence", f"![Median and quartiles of the best length in each cycle]({picture})"]
     return "\n\n".join(blocks) + "\n"
 
@@ -44,11 +43,7 @@ def as_html(title: str, lead: str, tables: Sequence[Table], svg: str) -> str:
     """Return a page that needs no other file: tables, and the picture's SVG text within."""
     body = [f"<h1>{escape(title)}</h1>", f"<p>{escape(lead)}</p>"]
     for table in tables:
-        head = "".join(f"<th>{escape(text)}</th>" for text in table.headings)
-        rows = ("".join(f"<td>{escape(text)}</td>" for text in row) for row in table.rows)
-        lines = "\n".join(f"<tr>{row}</tr>" for row in rows)
-        body += [f"<h2>{escape(table.title)}</h2>", f"<p>{escape(table.note)}</p>"]
-        body += [f"<div><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{lines}\n</tbody></table></div>"]
+        body += [f"<h2>{escape(table.title)}</h2>", f"<p>{escape(table.note)}</p>", html_table(table)]
     body += ["<h2>Convergence</h2>", "<p>Median and quartiles of the best length in each cycle.</p>"]
     body += [svg[svg.index("<svg") :]]
     head = f'<meta charset="utf-8"><title>{escape(title)}</title>\n<style>\n{_STYLE}</style>'
@@ -62,6 +57,20 @@ def as_html(title: str, lead: str, tables: Sequence[Table], svg: str) -> str:
 def as_latex(tables: Sequence[Table]) -> str:
     """Return all tables for a document that loads booktabs."""
     return "% needs \\usepackage{booktabs}\n" + "\n".join(map(_tabular, tables))
+
+
+def markdown_table(table: Table) -> str:
+    """Return a table alone, without its title and note, as Markdown."""
+    lines = [_pipes(table.headings), _pipes(["---"] * len(table.headings)), *map(_pipes, table.rows)]
+    return "\n".join(lines)
+
+
+def html_table(table: Table) -> str:
+    """Return a table alone as HTML; where it is too wide it scrolls within its ``div``."""
+    head = "".join(f"<th>{escape(text)}</th>" for text in table.headings)
+    rows = ("".join(f"<td>{escape(text)}</td>" for text in row) for row in table.rows)
+    lines = "\n".join(f"<tr>{row}</tr>" for row in rows)
+    return f"<div><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{lines}\n</tbody></table></div>"
 
 
 def as_csv(rows: Sequence[Row]) -> str:
