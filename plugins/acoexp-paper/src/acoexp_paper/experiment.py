@@ -73,7 +73,12 @@ class Experiment:
 
     def further_maps(self, env: str) -> list[Grid]:
         """Return the maps of an environment's ensemble that are to be run."""
-        return [] if env in self.given or not self.ensemble_trials else ensemble(env)
+        if env in self.given or not self.ensemble_trials:
+            return []
+        try:
+            return ensemble(env)
+        except FileNotFoundError:
+            return []
 
     def settings(self, algo: str, values: Mapping[str, Any]) -> Settings:
         """Return an algorithm's settings with some values changed, on top of the command line's own."""
