@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from acoexp.maps import parse_map
-from acoexp.reconstruct import search
+from acoexp.reconstruct import calibration, search
 from acoexp.reconstruct.__main__ import main
 
 
@@ -15,6 +15,7 @@ from acoexp.reconstruct.__main__ import main
 def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(search, "_STARTS", 8)
     monkeypatch.setattr(search, "_MOST_TRIALS", 32)
+    monkeypatch.setattr(calibration, "FRESH_SEEDS", range(20))
 
 
 @pytest.mark.parametrize(
