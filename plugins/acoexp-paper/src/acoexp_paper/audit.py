@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from acoexp.grid import path_length
 
+from acoexp.grid import path_length
 from acoexp_paper import published
 from acoexp_paper.published import COLUMNS, ENVIRONMENTS, TITLES
 
@@ -54,7 +54,7 @@ def _means(table: int, algo: str, name: str) -> tuple[float, float]:
 def differs(row: Recomputed) -> bool:
     """Tell whether a printed average is not that of its rows, to the digits that are printed."""
     digits = 4 if row.column.startswith("l") else 1
-    return abs(row.printed - row.of_rows) > 0.5 * 10**-digits + 1e-9
+    return bool(abs(row.printed - row.of_rows) > 0.5 * 10**-digits + 1e-9)
 
 
 def impossible_rows() -> Iterator[str]:
@@ -97,33 +97,38 @@ def decompose(length: float) -> tuple[int, int] | None:
 def contradictions() -> list[str]:
     """Return where the text, the tables and each other disagree, with numbers from the CSV files."""
     stuck = int((published.column(2, "pd", "l2") != 35.0711).sum())
-    rows_n = published.average(2, "pdg", "x1"), published.average(2, "pdg", "x2"), published.average(2, "pdg", "x3")
+    rows_n = (
+        published.average(2, "pdg", "x1"),
+        published.average(2, "pdg", "x2"),
+        published.average(2, "pdg", "x3"),
+    )
     return [
         f"Sect. 5 says that ACO-PD converges to a local optimum five times in Table 2; its rows show {stuck}.",
-        f"Table 3 says that ACO-PDG needs {published.performance('env2', 'pdg', 'n_bar'):g} iterations in environment "
-        f"2; Table 2 gives the same algorithm {rows_n[0]:g} (x1), {rows_n[1]:g} (x2) or {rows_n[2]:g} (x3) there.",
+        f"Table 3 says that ACO-PDG needs {published.performance('env2', 'pdg', 'n_bar'):g} iterations in "
+        f"environment 2; Table 2 gives the same algorithm {rows_n[0]:g} (x1), {rows_n[1]:g} (x2) or {rows_n[2]:g} "
+        "(x3) there.",
         "Sect. 5 calls 41.4558 = 16 + 18 √2 \"the optimal path\" of an environment whose optimum is 30.3848 = "
         "12 + 13 √2, after a raw path of 51.1127 = 20 + 22 √2. They are one ant's path before and after the "
         "post-optimiser.",
         "Sect. 5 gives 35.0771 as the best of ACO-PDG in Table 2, where every row has 35.0711.",
         "Sect. 5 says that every algorithm finds the optimum of Table 1, and of Table 2 that standard ACO does so "
-        "\"only five times\": x1 is there the first cycle with the run's own best length, l1, which the paper defines "
-        "as the optimum's.",
+        "\"only five times\": x1 is there the first cycle with the run's own best length, l1, which the paper "
+        "defines as the optimum's.",
     ]  # fmt: skip
 
 
-EQUATIONS = (
-    ("Eq. 3", "The second case must read ρ > ρ0; as printed the cases overlap and leave ρ > ρ0 undefined. Its ρ is a "
-     "distance; that of Eq. 18 is the evaporation rate."),
-    ("Eq. 5", "round((8 θ + π) / (2 π) + 1) is off by half a sector. With the sectors as defined just above it: "
-     "j = floor(θ / (π/4) + 1/2) mod 8 + 1."),
-    ("Eq. 11", "The second terms need x3 - x4 and y3 - y4, as Eq. 12 has them."),
-    ("Eq. 13", "k_AB = det(x3 - x1, x3 - x4; y3 - y1, y3 - y4) / Δ; as printed it is 1 whatever the segments."),
-    ("Eq. 14", "Right but for a stray \"=\": k_CD = det(x2 - x1, x3 - x1; y2 - y1, y3 - y1) / Δ."),
-    ("Eq. 15", "Inclusive bounds make any two consecutive segments cross at the cell they share. Only segments that are "
-     "not consecutive, and strict inequalities, make sense: two diagonals of one 2 x 2 block."),
-    ("Eq. 16", "Its bounds mix their indices; it follows from Eq. 15 anyway."),
-    ("Eq. 17", "Slopes lose the direction of travel, fail for vertical segments, and the second has x and y exchanged. "
-     "Meant is that BA and BC enclose 45°, so A and C are neighbours and B can go."),
-)  # fmt: skip
+EQUATIONS = {
+    "Eq. 3": "The second case must read ρ > ρ0; as printed the cases overlap and leave ρ > ρ0 undefined. Its ρ is "
+    "a distance; that of Eq. 18 is the evaporation rate.",
+    "Eq. 5": "round((8 θ + π) / (2 π) + 1) is off by half a sector. With the sectors as defined just above it: "
+    "j = floor(θ / (π/4) + 1/2) mod 8 + 1.",
+    "Eq. 11": "The second terms need x3 - x4 and y3 - y4, as Eq. 12 has them.",
+    "Eq. 13": "k_AB = det(x3 - x1, x3 - x4; y3 - y1, y3 - y4) / Δ; as printed it is 1 whatever the segments.",
+    "Eq. 14": 'Right but for a stray "=": k_CD = det(x2 - x1, x3 - x1; y2 - y1, y3 - y1) / Δ.',
+    "Eq. 15": "Inclusive bounds make any two consecutive segments cross at the cell they share. Only segments "
+    "that are not consecutive, and strict inequalities, make sense: two diagonals of one 2 x 2 block.",
+    "Eq. 16": "Its bounds mix their indices; it follows from Eq. 15 anyway.",
+    "Eq. 17": "Slopes lose the direction of travel, fail for vertical segments, and the second has x and y "
+    "exchanged. Meant is that BA and BC enclose 45°, so A and C are neighbours and B can go.",
+}
 """The equations that cannot be meant as printed, and what is computed here instead."""

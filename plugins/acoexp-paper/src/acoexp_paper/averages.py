@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+
 from acoexp.features import x2_last
 from acoexp.report.measures import Sample
 from acoexp.report.statistics import LEVEL, Estimate, Values
-
 from acoexp_paper import published
 from acoexp_paper.experiment import Experiment
-from acoexp_paper.published import COLUMNS, ENVIRONMENTS, PERFORMANCE, TRIALS
+from acoexp_paper.published import COLUMNS, PERFORMANCE, TRIALS
 
 RESAMPLES = 10_000
 X2_LAST = "x2_last"
@@ -138,12 +138,23 @@ def mean_of_ten(maps: Sequence[Values], scale: float = 1) -> Estimate:
         scale: A factor for all three numbers.
     """
     values = np.array(maps)
-    random = np.random.default_rng(0)
-    place = random.integers(len(values), size=(RESAMPLES, 1)), random.integers(values.shape[1], size=(RESAMPLES, TRIALS))
-    drawn = values[place]
-    there = ~np.isnan(drawn)
-    count = there.sum(axis=1)
-    means = np.where(there, drawn, 0.0).sum(axis=1)[count > 0] / count[count > 0]
+    means = means_of_ten(values, RESAMPLES)
     tail = 100 * (1 - LEVEL) / 2
-    low, high = np.percentile(means, (tail, 100 - tail)) if means.size else (np.nan, np.nan)
+    there = means[~np.isnan(means)]
+    low, high = np.percentile(there, (tail, 100 - tail)) if there.size else (np.nan, np.nan)
     return Estimate(scale * mean(values.ravel()), scale * float(low), scale * float(high))
+
+
+def means_of_ten(values: Values, count: int) -> Values:
+    """Return so many means of ten trials drawn from one of the maps, which is drawn too.
+
+    Args:
+        values: float[maps, n]; what is nan is left out of a mean, and a mean of nothing is nan.
+        count: How many.
+    """
+    random = np.random.default_rng(0)
+    on = random.integers(len(values), size=(count, 1))
+    drawn = values[on, random.integers(values.shape[1], size=(count, TRIALS))]
+    there = ~np.isnan(drawn)
+    total, of = np.where(there, drawn, 0.0).sum(axis=1), there.sum(axis=1)
+    return np.where(of > 0, total / np.maximum(of, 1), np.nan)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from html import escape
+from importlib.resources import files
 from typing import NamedTuple
 
 from acoexp.report.render import html_table, markdown_table
@@ -95,7 +96,8 @@ def as_html(document: Document, drawings: dict[str, str]) -> str:
         parts += [f'<section id="{_id(section.title)}">', f"<h2>{escape(section.title)}</h2>"]
         parts += [html for block in section.blocks for html in _html(block, drawings)]
         parts += ["</section>"]
-    head = f'<meta charset="utf-8">\n<meta name="viewport" content="width=device-width">\n<title>{escape(document.title)}</title>'
+    head = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width">\n'
+    head += f"<title>{escape(document.title)}</title>"
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>{head}\n<style>\n{_STYLE}</style>\n</head>\n<body>\n'
         + "\n".join(parts)
@@ -110,48 +112,41 @@ def _html(block: Block, drawings: dict[str, str]) -> Iterator[str]:
         case Bullets(items):
             yield "<ul>" + "\n".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
         case Numbers(name, table):
-            yield f'<figure class="table" id="{name}"><figcaption><b>{escape(table.title)}</b> {escape(table.note)}</figcaption>'
+            yield f'<figure class="table" id="{name}">'
+            yield f"<figcaption><b>{escape(table.title)}</b> {escape(table.note)}</figcaption>"
             yield _coloured(html_table(table))
             yield "</figure>"
         case Figure(name, caption):
             svg = drawings[name]
-            yield f'<figure id="{name}">{svg[svg.index("<svg") :]}<figcaption>{escape(caption)}</figcaption></figure>'
+            yield f'<figure id="{name}">{svg[svg.index("<svg") :]}'
+            yield f"<figcaption>{escape(caption)}</figcaption></figure>"
 
 
 def _coloured(html: str) -> str:
     """Mark verdicts, numbers and rows of averages for the style."""
     classes = {
-        "holds": "yes", "yes": "yes", "does not hold": "no", "no": "no", "opposite": "against", "depends on the map": "mixed",
-    }  # fmt: skip
+        "holds": "yes",
+        "yes": "yes",
+        "does not hold": "no",
+        "no": "no",
+        "opposite": "against",
+        "depends on the map": "mixed",
+    }
     for text, name in classes.items():
         html = html.replace(f"<td>{text}</td>", f'<td class="{name}">{text}</td>')
     html = re.sub(r"<tr><td>Average result", '<tr class="average"><td>Average result', html)
-    return re.sub(r"<td>([-+<]? ?[\d.]+(?: \[.*?\])?(?:/\d+)?(?: %)?)</td>", r'<td class="number">\1</td>', html)
+    return re.sub(
+        r"<td>((?:&lt; )?[\d.]+(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?)</td>", r'<td class="number">\1</td>', html
+    )
+
+
+def _id(title: str) -> str:
+    number = r"(?:&lt; )?[\d.]+(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?"
+    return re.sub(f"<td>({number})</td>", r'<td class="number">\1</td>', html)
 
 
 def _id(title: str) -> str:
     return re.sub(r"\W+", "-", title.lower()).strip("-")
 
 
-_STYLE = """\
-body { font: 16px/1.5 "Source Serif 4", Georgia, "DejaVu Serif", serif; max-width: 62rem; margin: 2rem auto; padding: 0 1.2rem; color: #1a1a1a; }
-h1, h2, nav, table, figcaption { font-family: system-ui, "DejaVu Sans", sans-serif; }
-h1 { font-size: 1.7rem; line-height: 1.25; }
-h2 { font-size: 1.25rem; margin-top: 2.5rem; border-bottom: 1px solid #bbb; padding-bottom: .2rem; }
-.lead { font-size: 1.05rem; }
-nav ol { columns: 2; font-size: .9rem; }
-a { color: #0072B2; }
-figure { margin: 1.5rem 0; break-inside: avoid; }
-figure.table { break-inside: auto; }
-figure > div { overflow-x: auto; }
-figcaption { font-size: .82rem; line-height: 1.4; color: #333; margin: .4rem 0; }
-table { border-collapse: collapse; border-top: 2px solid #222; border-bottom: 2px solid #222; font-size: .78rem; line-height: 1.35; }
-thead { border-bottom: 1px solid #222; }
-th { text-align: left; }
-th, td { padding: .18rem .6rem; vertical-align: top; }
-td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
-tr.average { border-top: 1px solid #999; border-bottom: 1px solid #999; font-weight: 600; }
-td.yes { background: #dcefe6; } td.no { background: #f1f1f1; } td.against { background: #f8dcd0; } td.mixed { background: #fbeecb; }
-svg { max-width: 100%; height: auto; display: block; margin: 0 auto; }
-@media print { body { max-width: none; margin: 0; font-size: 10pt; } table { font-size: 7.5pt; } nav { display: none; } }
-"""
+_STYLE = files("acoexp_paper").joinpath("data", "style.css").read_text(encoding="utf-8")

@@ -16,7 +16,6 @@ from acoexp.report.statistics import Values
 from acoexp.seeds import parse_seeds
 from acoexp.settings import Settings, resolve
 from acoexp.trials import Trials
-
 from acoexp_paper.published import ENVIRONMENTS
 
 Samples = dict[str, Sample]
@@ -57,7 +56,7 @@ class Experiment:
         }
 
     def lost_per_cycle(self, env: str) -> dict[str, Values]:
-        """Return the mean number of lost ants in each cycle on an environment's map, float[iterations] by algorithm."""
+        """Return, by algorithm, the mean number of ants lost in each cycle on a map, float[iterations]."""
         return {algo: trials.lost_ants.mean(axis=0) for algo, trials in self._trials[env].items()}
 
     @cached_property
@@ -73,12 +72,7 @@ class Experiment:
 
     def further_maps(self, env: str) -> list[Grid]:
         """Return the maps of an environment's ensemble that are to be run."""
-        if env in self.given or not self.ensemble_trials:
-            return []
-        try:
-            return ensemble(env)
-        except FileNotFoundError:
-            return []
+        return [] if env in self.given or not self.ensemble_trials else ensemble(env)
 
     def settings(self, algo: str, values: Mapping[str, Any]) -> Settings:
         """Return an algorithm's settings with some values changed, on top of the command line's own."""
@@ -92,12 +86,19 @@ class Experiment:
         """Return the sample of an algorithm under another reading of the paper."""
         return self._sample(algo, values, grid, self.ensemble_trials)
 
+    @property
+    def size(self) -> int:
+        """How many trials there are on the environments' maps and on the further ones."""
+        cells = {env: len(ENVIRONMENTS[env].algos) for env in self.maps}
+        further = sum(cells[env] * len(self.further_maps(env)) for env in self.maps)
+        return self.trials * sum(cells.values()) + self.ensemble_trials * further
+
     def _sample(self, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Sample:
         return Sample.of(algo, grid, self._run(algo, values, grid, trials))
 
     def _run(self, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Trials:
-        seeds = parse_seeds(f"0-{trials - 1}")
-        return self.context.run(self.settings(algo, values), grid, seeds, f"{algo} on {grid.name}")
+        batch = f"{algo} on {grid.name}{''.join(f', {key}={value}' for key, value in values.items())}"
+        return self.context.run(self.settings(algo, values), grid, parse_seeds(f"0-{trials - 1}"), batch)
 
 
 def first(sample: Sample, trials: int) -> Sample:

@@ -20,6 +20,9 @@ PERFORMANCE = ("n_c", "l_bar", "n_bar")
 TITLES = {"aco": "Standard ACO", "pd": "ACO-PD", "pdg": "ACO-PDG", "pf": "ACO-PF"}
 """What the paper calls the presets."""
 
+NAMES = {**TITLES, "aco": "standard ACO"}
+"""The same within a sentence."""
+
 TRIALS = 10
 """Trials behind each of the paper's averages."""
 

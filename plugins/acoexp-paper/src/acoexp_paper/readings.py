@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from acoexp.report.measures import Sample
 from acoexp_paper.averages import fit_of
 from acoexp_paper.experiment import Experiment, Samples, first
 from acoexp_paper.published import ENVIRONMENTS
@@ -13,8 +14,8 @@ from acoexp_paper.verdicts import says_of_reading
 ENVS = ("fig13", "env2")
 """env1 has no published rows but Table 3's."""
 
-_DIFFUSES = ("pd", "pdg", "pf")
-_ALL = ("aco", *_DIFFUSES)
+_OF_DIFFUSION = ("diffusion", "field")
+"""Keys that change nothing for standard ACO."""
 
 
 class Reading(NamedTuple):
@@ -23,12 +24,14 @@ class Reading(NamedTuple):
     Attributes:
         text: Its keys as on the command line.
         values: The same as settings.
-        algos: The algorithms that it changes.
     """
 
     text: str
     values: Mapping[str, Any]
-    algos: tuple[str, ...] = _ALL
+
+    def of(self, algo: str) -> dict[str, Any]:
+        """Return the settings that it changes for an algorithm; none if it is the same as under the defaults."""
+        return {key: value for key, value in self.values.items() if algo != "aco" or key not in _OF_DIFFUSION}
 
 
 class Outcome(NamedTuple):
@@ -45,7 +48,7 @@ class Outcome(NamedTuple):
     says: dict[str, int]
 
 
-DEFAULT = Reading("the defaults", {}, ())
+DEFAULT = Reading("the defaults", {})
 
 READINGS = (
     DEFAULT,
@@ -55,23 +58,21 @@ READINGS = (
     Reading("heuristic.at_goal=10000", {"heuristic": {"at_goal": 1e4}}),
     Reading("q=100", {"q": 100.0}),
     Reading("tau0=8", {"tau0": 8.0}),
-    Reading("field.obstacles=nearest", {"field": {"obstacles": "nearest"}}, _DIFFUSES),
-    Reading("field.repulsion=5", {"field": {"repulsion": 5.0}}, _DIFFUSES),
-    Reading("field.repulsion=100", {"field": {"repulsion": 100.0}}, _DIFFUSES),
-    Reading("field.reach=2", {"field": {"reach": 2.0}}, _DIFFUSES),
+    Reading("field.obstacles=nearest", {"field": {"obstacles": "nearest"}}),
+    Reading("field.repulsion=5", {"field": {"repulsion": 5.0}}),
+    Reading("field.repulsion=100", {"field": {"repulsion": 100.0}}),
+    Reading("field.reach=2", {"field": {"reach": 2.0}}),
     *(
-        Reading(f"diffusion.source={source}", {"diffusion": {"source": source}}, _DIFFUSES)
+        Reading(f"diffusion.source={source}", {"diffusion": {"source": source}})
         for source in ("walked_edge", "sum_in", "mean_out", "max_out")
     ),
     Reading(
         "pheromone=cells diffusion.source=walked_edge",
         {"pheromone": "cells", "diffusion": {"source": "walked_edge"}},
-        _DIFFUSES,
     ),
     Reading(
         "order=lock_step diffusion.source=walked_edge",
         {"order": "lock_step", "diffusion": {"source": "walked_edge"}},
-        _DIFFUSES,
     ),
     Reading("q=100 tau0=8", {"q": 100.0, "tau0": 8.0}),
 )
@@ -90,19 +91,21 @@ def outcomes(experiment: Experiment) -> list[Outcome]:
     ]
 
 
+def size(experiment: Experiment) -> int:
+    """Return how many trials all readings need."""
+    changed = (bool(reading.of(algo)) for reading in READINGS for env in ENVS for algo in ENVIRONMENTS[env].algos)
+    return experiment.ensemble_trials * sum(changed)
+
+
 def _samples(experiment: Experiment, reading: Reading) -> dict[str, Samples]:
     """Return the samples of a reading by environment; an algorithm that it does not change keeps its own."""
-    trials = experiment.ensemble_trials
     return {
-        env: {
-            algo: experiment.varied(algo, reading.values if algo in _changed(reading) else {}, experiment.maps[env])
-            if algo in _changed(reading) or trials > experiment.trials
-            else first(experiment.main[env][algo], trials)
-            for algo in ENVIRONMENTS[env].algos
-        }
+        env: {algo: _sample(experiment, reading.of(algo), env, algo) for algo in ENVIRONMENTS[env].algos}
         for env in ENVS
     }
 
 
-def _changed(reading: Reading) -> tuple[str, ...]:
-    return reading.algos
+def _sample(experiment: Experiment, values: Mapping[str, Any], env: str, algo: str) -> Sample:
+    if not values and experiment.trials >= experiment.ensemble_trials:
+        return first(experiment.main[env][algo], experiment.ensemble_trials)
+    return experiment.varied(algo, values, experiment.maps[env])

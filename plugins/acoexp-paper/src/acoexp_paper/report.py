@@ -18,7 +18,7 @@ from acoexp.report import render
 from acoexp.report.context import Context
 from acoexp.report.report import Report, written_whole
 from acoexp.report.tables import Table
-
+from acoexp_paper import readings
 from acoexp_paper.document import as_html, as_markdown, tables_in
 from acoexp_paper.experiment import Experiment, builtin_map
 from acoexp_paper.progress import shown_progress
@@ -36,25 +36,29 @@ class Paper(Report):
         100, "trials per cell on each further map and under each other reading; 0 leaves both out",
         minimum=0, maximum=100_000,
     )  # fmt: skip
-    maps: tuple[str, ...] = parameter((), "the true maps, if you have them: 'fig13=path', 'env1=path', 'env2=path'")
+    maps: tuple[str, ...] = parameter(
+        (), "the true maps, if you have them: 'fig13=path', 'env1=path', 'env2=path'"
+    )
 
     def check(self, context: Context) -> None:
         """Refuse maps that cannot be read or are not the paper's, and settings that would not be used."""
         if context.own_parts:
-            raise SettingsError(f"{', '.join(context.own_parts)}: expected none with report=paper, which sets the parts")
+            raise SettingsError(
+                f"{', '.join(context.own_parts)}: expected none with report=paper, which sets the parts"
+            )
         if context.grid.digest != builtin_map("fig13").digest:
-            raise SettingsError("map: expected none with report=paper; your own go into report.maps=['fig13=path']")
+            raise SettingsError(
+                "map: expected none with report=paper; your own go into report.maps=['fig13=path']"
+            )
         self._maps()
 
     def write(self, context: Context) -> Path:
         """Run what is missing and write the report."""
         given = self._maps()
         maps = {env: given.get(env) or builtin_map(env) for env in ENVIRONMENTS}
-        with shown_progress() as tell:
-            experiment = Experiment(
-                replace(context, tell=tell), maps, frozenset(given), self.trials, self.ensemble_trials
-            )
-            found = Findings.of(experiment)
+        experiment = Experiment(context, maps, frozenset(given), self.trials, self.ensemble_trials)
+        with shown_progress(experiment.size + readings.size(experiment)) as tell:
+            found = Findings.of(replace(experiment, context=replace(context, tell=tell)))
         with written_whole(context.folder) as folder:
             _write_files(found, folder)
         return context.folder
@@ -84,8 +88,8 @@ def _load(env: str, path: str) -> Grid:
     published = ENVIRONMENTS[env].straight, ENVIRONMENTS[env].diagonal
     if grid.optimum_pair != published:
         raise MapError(
-            f"report.maps: {env}: expected a map with the published optimum, {path_length(*published):.4f}; got one with "
-            f"{grid.optimum:.4f} under the rule {grid.moves!r}"
+            f"report.maps: {env}: expected a map with the published optimum, {path_length(*published):.4f}; got "
+            f"one with {grid.optimum:.4f} under the rule {grid.moves!r}"
         )
     return grid
 

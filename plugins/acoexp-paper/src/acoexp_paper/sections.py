@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from importlib.metadata import version
 from typing import NamedTuple
 
 from acoexp.report.measures import cell_row
 from acoexp.report.statistics import Estimate
 from acoexp.report.tables import Table, interval, success_table
-
 from acoexp_paper import audit
-from acoexp_paper.averages import X2_LAST, Average, averages
+from acoexp_paper.averages import Average, averages
 from acoexp_paper.claims import CLAIMS
 from acoexp_paper.document import Block, Bullets, Document, Figure, Numbers, Section, Text
 from acoexp_paper.experiment import Experiment
 from acoexp_paper.published import ENVIRONMENTS, TITLES
-from acoexp_paper.readings import DEFAULT, Outcome, outcomes
+from acoexp_paper.readings import Outcome, outcomes
+from acoexp_paper.summary import summary
 from acoexp_paper.trial_tables import trial_tables
-from acoexp_paper.verdicts import DEPENDS, FAILS, HOLDS, OPPOSITE, VERDICTS, Judged, judge
+from acoexp_paper.verdicts import Judged, judge
 
-TITLE = "Liu et al. 2017, an improved ant colony algorithm for robot path planning: what reproduces and what does not"
+TITLE = (
+    "Liu et al. 2017, an improved ant colony algorithm for robot path planning: what reproduces and what does not"
+)
 
 
 class Findings(NamedTuple):
@@ -61,102 +62,18 @@ def _lead(experiment: Experiment) -> str:
     changed = f" Other than in the paper: {', '.join(f'{k}={v}' for k, v in own.items())}." if own else ""
     return (
         f"Liu, Yang, Liu, Tian, Gao, Soft Computing 21 (2017), simulated anew with acoexp {version('acoexp')}: "
-        f"{experiment.trials} trials per cell, seeds 0 to {experiment.trials - 1} for all, beside the ten that the "
-        f"paper averages over.{changed}"
-    )
-
-
-def summary(found: Findings) -> list[Block]:
-    """Return what reproduces and what does not, in words and numbers."""
-    count = Counter(judged.verdict for judged in found.claims)
-    said = ", ".join(f"{count[verdict]} {_PLURAL[verdict] if count[verdict] != 1 else verdict}" for verdict in VERDICTS)
-    blocks: list[Block] = [
-        Text(f"Of the paper's {len(CLAIMS)} claims that can be tested, {said}. {_average_count(found)}"),
-        *(block for verdict in VERDICTS for block in _by_verdict(found, verdict)),
-    ]
-    if found.readings:
-        blocks += [Text(_reading_summary(found))]
-    return [*blocks, Text(_caveat(found.experiment))]
-
-
-_PLURAL = {HOLDS: "hold", FAILS: "do not hold", OPPOSITE: "opposite", DEPENDS: "depend on the map"}
-_HEADING = {
-    HOLDS: "What reproduces:",
-    FAILS: "What does not, or was not shown:",
-    OPPOSITE: "Where the simulation shows the opposite:",
-    DEPENDS: "What depends on the map:",
-}
-
-
-def _by_verdict(found: Findings, verdict: str) -> list[Block]:
-    items = [_sentence(judged) for judged in found.claims if judged.verdict == verdict]
-    return [Text(_HEADING[verdict]), Bullets(items)] if items else []
-
-
-def _sentence(judged: Judged) -> str:
-    claim, effect = judged.claim, judged.finding.effect
-    maps = f"; of {len(judged.says)} further maps {_counts(judged.says)}" if judged.says else ""
-    fitted = ", which the maps were fitted to" if claim.fitted else ""
-    return (
-        f"{claim.text} ({claim.map}{fitted}): {judged.finding.measure} "
-        f"{interval(effect.value, effect.low, effect.high)}{maps}."
-    )
-
-
-def _counts(says: Sequence[int]) -> str:
-    support, oppose = says.count(1), says.count(-1)
-    return f"{support} support it" + (f", {oppose} show the opposite" if oppose else "")
-
-
-def _average_count(found: Findings) -> str:
-    rows = [row for row in found.averages if row.column != X2_LAST]
-    inside = sum(row.inside for row in rows)
-    text = f"Of {len(rows)} published averages, {inside} lie where ten of our trials' mean falls in 95 % of cases"
-    parts = []
-    for algo, title in TITLES.items():
-        of_algo = [row for row in rows if row.algorithm == algo]
-        parts.append(f"{title} {sum(row.inside for row in of_algo)} of {len(of_algo)}")
-    return f"{text} ({'; '.join(parts)})."
-
-
-def _reading_summary(found: Findings) -> str:
-    scores = {outcome.reading.text: sum(inside for inside, _ in outcome.fit.values()) for outcome in found.readings}
-    total = sum(of for _, of in found.readings[0].fit.values())
-    best = max(scores.values())
-    names = ", ".join(text for text, score in scores.items() if score == best)
-    return (
-        f"Of {len(scores)} readings of the paper, the defaults meet {scores[DEFAULT.text]} of {total} published averages on "
-        f"fig13 and env2, and the best, {names}, {best}. Whatever the reading, {len(_robust(found, 1))} comparing claims "
-        f"hold and {len(_robust(found, 0))} do not."
-    )
-
-
-def _robust(found: Findings, wanted: int) -> list[str]:
-    """Return the keys of comparing claims that hold (1), or do not (0), under every reading."""
-    keys = [claim.key for claim in CLAIMS if claim.kind.compares and claim.key in found.readings[0].says]
-    return [k for k in keys if all((outcome.says.get(k, 0) == 1) == bool(wanted) for outcome in found.readings)]
-
-
-def _caveat(experiment: Experiment) -> str:
-    rebuilt = [env for env in experiment.maps if env not in experiment.given]
-    maps = (
-        f"The paper's figures are lost, so {', '.join(rebuilt)} are reconstructions: maps with the published optimum, searched "
-        "for by their standard-ACO trials alone. "
-        if rebuilt
-        else ""
-    )
-    return maps + (
-        "What they say of ACO-PD, ACO-PDG and ACO-PF is a prediction. ACO-PF is itself a reconstruction. No constant was "
-        "chosen to make a claim come out."
+        f"{experiment.trials} trials per cell, seeds 0 to {experiment.trials - 1} for all, beside the ten that "
+        f"the paper averages over.{changed}"
     )
 
 
 def _averages(found: Findings) -> list[Block]:
     note = (
-        f"Published averages, of ten trials each, beside ours: of the seeds 0 to 9, and of all {found.experiment.trials} "
-        "trials with the interval in which the mean of ten trials falls in 95 % of cases (bootstrap). Inside: whether the "
-        "published average lies in it. Ensemble: the same where the map, too, is drawn from the ensemble. x2_last is x2 "
-        "read as the last cycle with l1 where l2 differs. Lengths in cells, n_c of ten."
+        "Published averages, of ten trials each, beside ours: of the seeds 0 to 9, and of all "
+        f"{found.experiment.trials} trials with the interval in which the mean of ten trials falls in 95 % of "
+        "cases (bootstrap). Inside: whether the published average lies in it. Ensemble: the same where the map, "
+        "too, is drawn from the ensemble. x2_last is x2 read as the last cycle with l1 where l2 differs. Lengths "
+        "in cells, n_c of ten."
     )
     headings = ["table", "map", "algorithm", "column", "published", "seeds 0-9", "ours", "inside"]
     headings += ["ensemble", "inside (ensemble)"]
@@ -173,18 +90,20 @@ def _averages(found: Findings) -> list[Block]:
 
 def _claims(found: Findings) -> list[Block]:
     note = (
-        "Trials with one seed share random numbers, so two algorithms are compared in pairs: A12 is the probability that the "
-        "first does better, ties counted half; the odds ratio is above 1 if it succeeds more often. A trial that misses the "
-        "optimum ranks behind all that find it. p of comparing claims is corrected over their family (Holm); claims about "
-        "one algorithm are their own null hypothesis and are judged uncorrected. \"Every\" is held to mean 99 %. Maps: those "
-        "of the ensemble that support the claim / show the opposite / neither. * the maps were fitted to this number."
+        "Trials with one seed share random numbers, so two algorithms are compared in pairs: A12 is the "
+        "probability that the first does better, ties counted half; the odds ratio is above 1 if it succeeds "
+        "more often. A trial that misses the optimum ranks behind all that find it. p of comparing claims is "
+        "corrected over their family (Holm); claims about one algorithm are their own null hypothesis and are "
+        'judged uncorrected. "Every" is held to mean 99 %. Maps: those of the ensemble that support the claim / '
+        "show the opposite / neither. * the maps were fitted to this number."
     )
     headings = ["claim", "where", "map", "test", "p", "effect", "on the map", "maps", "verdict"]
     rows = [_claim_row(judged) for judged in found.claims]
     explain = (
-        "A claim holds, or its opposite does, if at least four fifths of the maps say so and none says the contrary; it "
-        "depends on the map if some maps support it and others show the opposite, or if between a fifth and four fifths "
-        "do either; otherwise it does not hold, which for a comparison means that it was not shown."
+        "A claim holds, or its opposite does, if at least four fifths of the maps say so and none says the "
+        "contrary; it depends on the map if some maps support it and others show the opposite, or if between a "
+        "fifth and four fifths do either; otherwise it does not hold, which for a comparison means that it was "
+        "not shown."
     )
     return [Text(explain), Numbers("claims", Table("Claims of Sects 4 to 6.", note, headings, rows))]
 
@@ -221,11 +140,15 @@ def _interpretations(found: Findings) -> list[Block]:
     fit = Table(
         "How well each reading meets the published averages.",
         f"Published averages inside the interval of ten trials' means, of those in each block of the tables; "
-        f"{found.experiment.ensemble_trials} trials per cell. The maps were searched for under the defaults, which favours "
-        "these for standard ACO.",
+        f"{found.experiment.ensemble_trials} trials per cell. The maps were searched for under the defaults, "
+        "which favours these for standard ACO.",
         ["reading", *(f"Table {t} {TITLES[a].removeprefix('ACO-')}" for t, _, a in blocks), "all"],
         [
-            [o.reading.text, *(f"{i}/{n}" for i, n in o.fit.values()), f"{sum(i for i, _ in o.fit.values())}/{total}"]
+            [
+                o.reading.text,
+                *(f"{i}/{n}" for i, n in o.fit.values()),
+                f"{sum(i for i, _ in o.fit.values())}/{total}",
+            ]
             for o in found.readings
         ],
     )
@@ -244,13 +167,15 @@ def _interpretations(found: Findings) -> list[Block]:
     numbered = "; ".join(f"{i}: {outcome.reading.text}" for i, outcome in enumerate(found.readings, 1))
     matrix = Table(
         "Which claims hold under which reading.",
-        f"On the environments' maps. +: holds; o: does not, or was not shown; -: the opposite is shown. {numbered}.",
+        "On the environments' maps. +: holds; o: does not, or was not shown; -: the opposite is shown. "
+        f"{numbered}.",
         headings,
         rows,
     )
     intro = (
-        "What the paper leaves open is a key of acoexp. Here each takes another value alone, and a few that belong together do "
-        "so together. pheromone=cells with diffusion.source=walked_edge is Sect. 3.4, step 3, to the letter."
+        "What the paper leaves open is a key of acoexp. Here each takes another value alone, and a few that "
+        "belong together do so together. pheromone=cells with diffusion.source=walked_edge is Sect. 3.4, step 3, "
+        "to the letter."
     )
     return [Text(intro), Numbers("readings", fit), Numbers("reading_claims", matrix)]
 
@@ -277,7 +202,7 @@ def _audit() -> list[Block]:
         Text("Where the text, the tables and each other disagree:"),
         Bullets(audit.contradictions()),
         Text("Equations, as they must be meant and are computed here:"),
-        Bullets([f"{equation}. {correction}" for equation, correction in audit.EQUATIONS]),
+        Bullets([f"{equation}. {correction}" for equation, correction in audit.EQUATIONS.items()]),
     ]
 
 
@@ -301,9 +226,9 @@ def _method(found: Findings) -> list[Block]:
     settings = experiment.settings("pdg", {}).scalars
     text = (
         f"alpha = {settings.alpha:g}, beta = {settings.beta:g}, rho = {settings.rho:g}, {settings.ants} ants, "
-        f"{settings.iterations} cycles, Q = {settings.q:g}, tau0 = {settings.tau0:g}. Further maps and other readings: "
-        f"{experiment.ensemble_trials} trials each. Tests are scipy's; intervals are at 95 %; resampling has a fixed seed, "
-        "so the same command writes the same tables."
+        f"{settings.iterations} cycles, Q = {settings.q:g}, tau0 = {settings.tau0:g}. Further maps and other "
+        f"readings: {experiment.ensemble_trials} trials each. Tests are scipy's; intervals are at 95 %; "
+        "resampling has a fixed seed, so the same command writes the same tables."
     )
     blocks: list[Block] = [Text(text), Numbers("maps", Table("Maps.", note, headings, rows))]
     return [*blocks, Bullets(fits)] if fits else blocks

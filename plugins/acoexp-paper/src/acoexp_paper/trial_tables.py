@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+
 from acoexp.report.measures import Sample
 from acoexp.report.tables import Table
-
 from acoexp_paper.averages import mean, values_of
 from acoexp_paper.experiment import Experiment
 from acoexp_paper.published import COLUMNS, ENVIRONMENTS, PERFORMANCE, TITLES, TRIALS
@@ -31,8 +31,9 @@ def _iterations(experiment: Experiment, number: int, env: str) -> Table:
         rows.append(["Average result", "", *(_shown(name, mean(v), 1) for name, v in columns.items())])
     title = f"Table {number}. Comparison of the iteration times, path length for the three methods"
     note = (
-        f"In the paper's form, on {_map_of(experiment, env)}. x1: cycle in which the best length l1 is first found; x2: "
-        "that in which it is first found twice in a row; x3: that from which the curve stays at l2. Lengths in cells."
+        f"In the paper's form, on {_map_of(experiment, env)}. x1: cycle in which the best length l1 is first "
+        "found; x2: that in which it is first found twice in a row; x3: that from which the curve stays at l2. "
+        "Lengths in cells."
     )
     return Table(title, note, ["Algorithm", "Seed", *COLUMNS], rows)
 
@@ -45,8 +46,9 @@ def _performance(experiment: Experiment) -> Table:
     title = "Table 3. Comparison of the performance for the two methods"
     note = (
         f"In the paper's form, seeds 0 to {TRIALS - 1}, on {_map_of(experiment, 'env1')} and "
-        f"{_map_of(experiment, 'env2')}. n_c: trials that found the optimum; l: mean length of convergence, in cells; n: "
-        "mean cycle of finding, over those that did. ACO-PF is a reconstruction: its formulas are in no public source."
+        f"{_map_of(experiment, 'env2')}. n_c: trials that found the optimum; l: mean length of convergence, in "
+        "cells; n: mean cycle of finding, over those that did. ACO-PF is a reconstruction: its formulas are in "
+        "no public source."
     )
     headings = [f"{env} {name}" for env in ("env1", "env2") for name in ("n_c", "l", "n")]
     return Table(title, note, ["Algorithm", *headings], rows)
@@ -54,7 +56,9 @@ def _performance(experiment: Experiment) -> Table:
 
 def _averaged(sample: Sample, column: str) -> str:
     values = values_of(sample, column)[:TRIALS]
-    return str(int(values.sum())) if column == "n_c" else _shown("l2" if column == "l_bar" else "x1", mean(values), 1)
+    return (
+        str(int(values.sum())) if column == "n_c" else _shown("l2" if column == "l_bar" else "x1", mean(values), 1)
+    )
 
 
 def _map_of(experiment: Experiment, env: str) -> str:

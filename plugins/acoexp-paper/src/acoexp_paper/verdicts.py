@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from acoexp.report.statistics import holm
-
 from acoexp_paper.claims import CLAIMS, Claim
 from acoexp_paper.experiment import Experiment
 from acoexp_paper.kinds import Finding, Samples
@@ -46,8 +45,8 @@ def judge(experiment: Experiment) -> list[Judged]:
     for claim in CLAIMS:
         maps = experiment.ensembles[claim.map]
         over = claim.kind.test_over(maps) if maps else None
-        alone = over if _ensemble_alone(experiment, claim) else None
-        findings.append((alone or claim.kind.test(experiment.main[claim.map]), over, alone is not None))
+        alone = over is not None and claim.map == "env1"  # of whose map nothing but the optimum is known
+        findings.append((over if over is not None and alone else _on_map(experiment, claim), over, alone))
     corrected = corrected_p(CLAIMS, [finding.p for finding, _, _ in findings])
     judged = []
     for claim, (finding, over, alone), p in zip(CLAIMS, findings, corrected, strict=True):
@@ -58,9 +57,8 @@ def judge(experiment: Experiment) -> list[Judged]:
     return judged
 
 
-def _ensemble_alone(experiment: Experiment, claim: Claim) -> bool:
-    """Tell whether a map counts no more than those of its ensemble: of env1 nothing but the optimum is known."""
-    return claim.map == "env1" and bool(experiment.ensembles["env1"])
+def _on_map(experiment: Experiment, claim: Claim) -> Finding:
+    return claim.kind.test(experiment.main[claim.map])
 
 
 def corrected_p(claims: Sequence[Claim], p: Sequence[float]) -> list[float]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from acoexp.report.curves import quartiles
-from acoexp.report.measures import Sample
 from matplotlib.figure import Figure
 from matplotlib.ticker import StrMethodFormatter
 
+from acoexp.report.curves import quartiles
+from acoexp.report.measures import Sample
 from acoexp_paper.figures.drawing import COLOURS, new_figure
 from acoexp_paper.published import TITLES, TRIALS
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from acoexp.command.pictures import BLUE, GREEN, ORANGE
-from acoexp.grid import Grid
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
+
+from acoexp.command.pictures import BLUE, GREEN, ORANGE
+from acoexp.grid import Grid
 
 WIDTH = 7.2
 """Inches; two columns of a journal."""
@@ -43,14 +44,20 @@ def draw_grid(axes: Axes, grid: Grid) -> None:
     rows, cols = grid.shape
     edges = np.arange(cols + 1) - 0.5, np.arange(rows + 1) - 0.5
     shown = np.ma.masked_where(~grid.obstacles, np.ones(grid.shape))
-    axes.pcolormesh(*edges, shown, cmap="Greys", vmin=0, vmax=2, edgecolors="none", rasterized=False)
+    axes.pcolormesh(*edges, shown, cmap="Greys", vmin=0, vmax=2, edgecolors="face", linewidth=0.2)
     frame(axes, grid)
 
 
 def frame(axes: Axes, grid: Grid) -> None:
     """Give a map's axes their limits, names and ends."""
     rows, cols = grid.shape
-    axes.set(xlim=(-0.5, cols - 0.5), ylim=(rows - 0.5, -0.5), aspect="equal", xlabel="column (cells)", ylabel="row (cells)")
+    axes.set(
+        xlim=(-0.5, cols - 0.5),
+        ylim=(rows - 0.5, -0.5),
+        aspect="equal",
+        xlabel="column (cells)",
+        ylabel="row (cells)",
+    )
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(5, integer=True))
     axes.plot(*grid.start[::-1], "o", color="black", markersize=5, zorder=5)

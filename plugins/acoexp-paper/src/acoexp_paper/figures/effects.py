@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections import Counter
 
 import numpy as np
-from acoexp.report.measures import Sample
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter, StrMethodFormatter
 
+from acoexp.report.measures import Sample
 from acoexp_paper.figures.drawing import COLOURS, DASHES, HATCHES, WIDTH, new_figure
 from acoexp_paper.published import TITLES
 
 ALGOS = ("aco", "pd", "pdg")
+_COMMONEST = 7
 
 
 def draw_lost(lost: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]], ants: int) -> Figure:
@@ -40,11 +41,12 @@ def draw_iterations(samples: dict[str, Sample]) -> Figure:
     return _finish(figure, axes)
 
 
-def draw_lengths(samples: dict[str, Sample], most: int = 7) -> Figure:
-    """Draw the share of trials that converge to each length, the rarer and longer ones together."""
+def draw_lengths(samples: dict[str, Sample]) -> Figure:
+    """Draw the share of trials that converge to each of the commonest lengths, the others together."""
     counts = {algo: Counter(np.round(samples[algo].features["l2"], 4).tolist()) for algo in ALGOS}
-    lengths = sorted({length for counter in counts.values() for length in counter if not np.isnan(length)})
-    shown = lengths[:most]
+    total_of = sum(counts.values(), Counter())
+    commonest = sorted(total_of, key=lambda length: (-total_of[length], length))[:_COMMONEST]
+    shown = sorted({round(samples["aco"].optimum, 4), *(length for length in commonest if not np.isnan(length))})
     figure = new_figure(2.9)
     axes = figure.subplots()
     width = 0.27
@@ -56,7 +58,7 @@ def draw_lengths(samples: dict[str, Sample], most: int = 7) -> Figure:
             np.arange(len(share)) + (place - 1) * width, np.abs(np.round(share, 12)), width, color=COLOURS[algo],
             hatch=HATCHES[algo], edgecolor="white", linewidth=0.5, label=TITLES[algo],
         )  # fmt: skip
-    axes.set_xticks(np.arange(len(shown) + 1), [*(f"{length:.4f}" for length in shown), "longer"], fontsize=7.5)
+    axes.set_xticks(np.arange(len(shown) + 1), [*(f"{length:.4f}" for length in shown), "others"], fontsize=7.5)
     axes.set(xlabel="length of convergence l2 (cells); the first is the optimum", ylabel="trials")
     axes.yaxis.set_major_formatter(PercentFormatter(1.0))
     axes.legend(frameon=False, fontsize=8)

@@ -1,15 +1,15 @@
-"""Maps: the potential field and its forces (Fig. 1), and paths before and after the post-optimiser (13, 14, 17)."""
+"""Maps: the potential field's forces (Fig. 1), and paths before and after the post-optimiser (13, 14, 17)."""
 
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
 from acoexp.command.pictures import BLUE, ORANGE
 from acoexp.field import FieldSettings, potential_field
 from acoexp.grid import Grid, path_length
 from acoexp.result import Result
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-
 from acoexp_paper.figures.drawing import WIDTH, draw_grid, new_figure
 from acoexp_paper.published import ENVIRONMENTS
 
@@ -42,7 +42,9 @@ def draw_paths(results: list[tuple[str, Result]]) -> Figure:
     for axes, (title, result) in zip(figure.subplots(1, len(results), squeeze=False)[0], results, strict=True):
         draw_grid(axes, result.grid)
         if result.raw_path is not None:
-            _draw_path(axes, result.raw_path, BLUE, "--", 1.3, f"as walked, {_length(result.raw_path):.4f} cells")
+            _draw_path(
+                axes, result.raw_path, BLUE, "--", 1.3, f"as walked, {length_of(result.raw_path):.4f} cells"
+            )
         if result.path is not None:
             _draw_path(axes, result.path, ORANGE, "-", 2.2, f"optimised, {result.length:.4f} cells")
         axes.set_title(title, fontsize=9)
@@ -50,13 +52,19 @@ def draw_paths(results: list[tuple[str, Result]]) -> Figure:
     return figure
 
 
-def _draw_path(axes: Axes, path: np.ndarray[tuple[int, ...], np.dtype[np.int64]], colour: str, dash: str, width: float, label: str) -> None:
+def _draw_path(
+    axes: Axes,
+    path: np.ndarray[tuple[int, ...], np.dtype[np.int64]],
+    colour: str,
+    dash: str,
+    width: float,
+    label: str,
+) -> None:
     rows, cols = path.T
     axes.plot(cols, rows, dash, color=colour, linewidth=width, label=label, solid_joinstyle="round", zorder=4)
 
 
-def _length(path: np.ndarray[tuple[int, ...], np.dtype[np.int64]]) -> float:
+def length_of(path: np.ndarray[tuple[int, ...], np.dtype[np.int64]]) -> float:
+    """Return the length of a path, int[n, 2], in cells."""
     diagonal = int((np.abs(np.diff(path, axis=0)).sum(axis=1) == 2).sum())
     return path_length(len(path) - 1 - diagonal, diagonal)
-
-

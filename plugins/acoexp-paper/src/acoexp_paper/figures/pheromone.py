@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from acoexp.grid import DIRECTIONS, Grid
-from acoexp.settings import Settings
-from acoexp.solver import Solver
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from acoexp.grid import DIRECTIONS, Grid
+from acoexp.settings import Settings
+from acoexp.solver import Solver
 from acoexp_paper.figures.drawing import frame, new_figure
 
 CYCLES = (6, 8, 10)
@@ -19,15 +19,15 @@ _DECADES = 4
 
 
 def levels(grid: Grid, settings: Settings, seed: int, cycle: int) -> NDArray[np.float64]:
-    """Return the pheromone of each cell, the sum over the edges into it, after a cycle of a trial; the highest is 1."""
+    """Return the pheromone of each cell after a cycle, summed over the edges into it; the highest is 1."""
     scalars = replace(settings.scalars, iterations=cycle)
     edges = np.nan_to_num(Solver(grid, replace(settings, scalars=scalars)).pheromone(seed))
     rows, cols = grid.shape
     into = np.zeros((rows + 2, cols + 2))
     for direction, (down, right) in enumerate(DIRECTIONS):
         into[1 + down : 1 + down + rows, 1 + right : 1 + right + cols] += edges[..., direction]
-    cells = into[1:-1, 1:-1]
-    return cells / cells.max()
+    share: NDArray[np.float64] = into[1:-1, 1:-1] / into[1:-1, 1:-1].max()
+    return share
 
 
 def draw_pheromone(grid: Grid, settings: Settings, seed: int) -> Figure:
@@ -36,8 +36,11 @@ def draw_pheromone(grid: Grid, settings: Settings, seed: int) -> Figure:
     panels = figure.subplots(1, len(CYCLES))
     edges = np.arange(grid.shape[1] + 1) - 0.5, np.arange(grid.shape[0] + 1) - 0.5
     for axes, cycle in zip(panels, CYCLES, strict=True):
-        shown = np.ma.masked_where(grid.obstacles, np.maximum(levels(grid, settings, seed, cycle), 10.0**-_DECADES))
-        picture = axes.pcolormesh(*edges, shown, cmap="cividis", norm=LogNorm(10.0**-_DECADES, 1.0), edgecolors="none")
+        shown = np.ma.masked_where(
+            grid.obstacles, np.maximum(levels(grid, settings, seed, cycle), 10.0**-_DECADES)
+        )
+        norm = LogNorm(10.0**-_DECADES, 1.0)
+        picture = axes.pcolormesh(*edges, shown, cmap="cividis", norm=norm, edgecolors="face", linewidth=0.2)
         axes.set_facecolor("0.75")
         frame(axes, grid)
         for line in axes.lines:
