@@ -150,9 +150,9 @@ class Solver:
                 raise
 
     def pheromone(self, seed: int) -> NDArray[np.float64]:
-        """Run one trial and return the pheromone it leaves, float64[rows, cols, 8]: that of each move from each cell.
+        """Run one trial and return the pheromone on each move from each cell after it, float64[rows, cols, 8].
 
-        It is that after the last cycle, so ``iterations`` says which. Levels count relative to each other; nan
+        That is after the last cycle, so ``iterations`` says which. Only levels relative to each other count; nan
         where a move is not allowed.
 
         Raises:

@@ -135,12 +135,6 @@ def _coloured(html: str) -> str:
     for text, name in classes.items():
         html = html.replace(f"<td>{text}</td>", f'<td class="{name}">{text}</td>')
     html = re.sub(r"<tr><td>Average result", '<tr class="average"><td>Average result', html)
-    return re.sub(
-        r"<td>((?:&lt; )?[\d.]+(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?)</td>", r'<td class="number">\1</td>', html
-    )
-
-
-def _id(title: str) -> str:
     number = r"(?:&lt; )?[\d.]+(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?"
     return re.sub(f"<td>({number})</td>", r'<td class="number">\1</td>', html)
 

@@ -1,0 +1,182 @@
+"""``report=paper`` as a whole."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from acoexp_paper.experiment import Experiment, builtin_map
+from acoexp_paper.report import Paper
+from PIL import Image
+from small import ENSEMBLE_TRIALS, MAPS, OWN, TRIALS, context
+
+from acoexp import solve_many
+from acoexp.errors import AcoexpError
+
+pytestmark = pytest.mark.slow_without_jit
+
+FIGURES = (
+    "fig01",
+    "fig07",
+    "fig08",
+    "fig09",
+    "fig10",
+    "fig11",
+    "fig12",
+    "fig13",
+    "fig14",
+    "fig16",
+    "fig17",
+    "fig18",
+)
+TABLES = (
+    "table1",
+    "table2",
+    "table3",
+    "averages",
+    "claims",
+    "success",
+    "readings",
+    "reading_claims",
+    "audit",
+    "maps",
+)
+
+
+def content(report: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads((report / "tables.json").read_text(encoding="utf-8"))
+    return found
+
+
+def cell(report: Path, *where: object) -> dict[str, Any]:
+    keys = ("table", "map", "algorithm", "column")
+    (found,) = (row for row in content(report)["tables"] if tuple(row[key] for key in keys) == where)
+    return dict(found)
+
+
+def test_it_leaves_every_table_and_figure_in_every_form(report: Path) -> None:
+    names = {str(path.relative_to(report)) for path in report.rglob("*") if path.is_file()}
+    assert names == {
+        "index.html",
+        "report.md",
+        "tables.json",
+        *(f"figures/{name}.{form}" for name in FIGURES for form in ("svg", "png")),
+        *(f"tables/{name}.{form}" for name in TABLES for form in ("md", "tex", "csv")),
+    }
+    for name in FIGURES:
+        with Image.open(report / "figures" / f"{name}.png") as picture:
+            assert min(picture.size) > 500
+
+
+def test_a_cell_is_what_its_trials_say(report: Path) -> None:
+    trials = solve_many("fig13", "pdg", seeds=range(TRIALS), **OWN)
+    x1 = np.array([trial.x1 for trial in trials])
+    row = cell(report, 1, "fig13", "pdg", "x1")
+    assert row["published"] == 2.6
+    assert row["mean"] == pytest.approx(x1.mean())
+    assert row["first_ten"] == pytest.approx(x1[:10].mean())
+    low, high = row["interval"]
+    means = [np.random.default_rng(seed).choice(x1, 10).mean() for seed in range(4000)]
+    assert np.mean((np.array(means) >= low) & (np.array(means) <= high)) == pytest.approx(0.95, abs=0.03)
+    assert row["inside"] == (low - 0.05 <= 2.6 <= high + 0.05)
+
+
+def test_success_is_counted_over_ten_trials(report: Path) -> None:
+    trials = solve_many("env2", "pf", seeds=range(TRIALS), **OWN)
+    found = np.array([trial.found_optimum for trial in trials])
+    row = cell(report, 3, "env2", "pf", "n_c")
+    assert row["first_ten"] == found[:10].sum()
+    assert row["mean"] == pytest.approx(10 * found.mean())
+
+
+def test_tables_have_the_papers_form(report: Path) -> None:
+    lines = (report / "tables" / "table1.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "Algorithm,Seed,x1,l1,x2,l2,x3"
+    assert [line.split(",")[0] for line in lines[1:]].count("Average result") == 3
+    assert len(lines) == 1 + 3 * 11
+    latex = (report / "tables" / "table1.tex").read_text(encoding="utf-8")
+    assert all(rule in latex for rule in (r"\toprule", r"\midrule", r"\bottomrule"))
+
+
+def test_every_claim_has_its_test_and_verdict(report: Path) -> None:
+    for claim in content(report)["claims"]:
+        assert claim["statistic"]
+        assert 0.0 <= claim["p"] <= claim["p_holm"] <= 1.0
+        assert claim["verdict"] in ("holds", "does not hold", "opposite", "depends on the map")
+        assert len(claim["maps"]) == MAPS
+        assert (claim["on_map"] is None) == (claim["map"] == "env1")
+
+
+def test_it_says_first_what_reproduces(report: Path) -> None:
+    text = (report / "report.md").read_text(encoding="utf-8")
+    assert text.index("## Summary") < text.index("## Tables 1 to 3")
+    verdicts = [claim["verdict"] for claim in content(report)["claims"]]
+    assert f"Of {len(verdicts)} claims of the paper that can be tested, " in text
+    assert f"{verdicts.count('does not hold')} do not hold" in text
+
+
+def test_written_again_its_tables_are_the_same_bytes(smaller: Paper, report: Path, tmp_path: Path) -> None:
+    again = smaller.write(context(tmp_path / "paper"))
+    files = ["tables.json", "report.md", *(f"tables/{f.name}" for f in (report / "tables").iterdir())]
+    files += [f"figures/{f.name}" for f in (report / "figures").iterdir()]
+    assert [name for name in files if (report / name).read_bytes() != (again / name).read_bytes()] == []
+
+
+def test_what_was_there_stays_if_it_cannot_be_written(report: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = (report / "index.html").read_bytes()
+    monkeypatch.setattr("acoexp_paper.report.as_html", lambda *_: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        Paper(trials=10, ensemble_trials=0).write(context(report))
+    assert (report / "index.html").read_bytes() == before
+
+
+def test_a_true_map_takes_the_place_of_the_reconstruction_and_its_ensemble(smaller: Paper, tmp_path: Path) -> None:
+    grid = builtin_map("fig13")
+    rows = "\n".join("".join(".#"[cell] for cell in row) for row in grid.obstacles.astype(int))
+    (tmp_path / "true.txt").write_text(f"; moves: {grid.moves}\n{rows}\n", encoding="utf-8")
+    paper = replace(smaller, maps=(f"fig13={tmp_path / 'true.txt'}",))
+    given = paper._maps()
+    assert given["fig13"].digest == grid.digest
+    maps = {"fig13": given["fig13"], "env2": builtin_map("env2")}
+    experiment = Experiment(context(tmp_path), maps, frozenset(given), 10, ENSEMBLE_TRIALS)
+    assert experiment.further_maps("fig13") == []
+    assert len(experiment.further_maps("env2")) == MAPS
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        (
+            "env3=x.txt",
+            "report.maps: expected some of: fig13=path, env1=path, env2=path, each once; got 'env3=x.txt'",
+        ),
+        ("fig13", "report.maps: expected some of: .* got 'fig13'"),
+        ("fig13=nowhere.txt", "report.maps: fig13: map.path: expected a readable text file"),
+        (
+            "env1=empty.txt",
+            "report.maps: env1: expected a map with the published optimum, 32.1421; got one with 26.8701",
+        ),
+    ],
+)
+def test_a_map_that_is_not_the_papers_is_refused(
+    given: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("empty.txt").write_text(("." * 20 + "\n") * 20, encoding="utf-8")
+    with pytest.raises(AcoexpError, match=message):
+        Paper(maps=(given,)).check(context(tmp_path))
+
+
+def test_the_command_finds_it_by_its_entry_point(tmp_path: Path) -> None:
+    small = ("report.trials=10", "report.ensemble_trials=0", "iterations=4", "ants=3", "tracking=none")
+    command = [sys.executable, "-m", "acoexp", "report=paper", *small]
+    ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
+    assert ended.returncode == 0, ended.stderr
+    assert "does not hold" in ended.stdout
+    assert (tmp_path / "outputs" / "reports" / "paper" / "index.html").exists()
