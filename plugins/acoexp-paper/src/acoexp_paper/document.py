@@ -18,6 +18,12 @@ class Text(NamedTuple):
     text: str
 
 
+class Heading(NamedTuple):
+    """A heading within a section."""
+
+    text: str
+
+
 class Bullets(NamedTuple):
     """A list."""
 
@@ -38,7 +44,7 @@ class Figure(NamedTuple):
     caption: str
 
 
-Block = Text | Bullets | Numbers | Figure
+Block = Text | Heading | Bullets | Numbers | Figure
 
 
 class Section(NamedTuple):
@@ -74,6 +80,8 @@ def _markdown(block: Block) -> str:
     match block:
         case Text(text):
             return text
+        case Heading(text):
+            return f"### {text}"
         case Bullets(items):
             return "\n".join(f"- {item}" for item in items)
         case Numbers(_, table):
@@ -109,6 +117,8 @@ def _html(block: Block, drawings: dict[str, str]) -> Iterator[str]:
     match block:
         case Text(text):
             yield f"<p>{escape(text)}</p>"
+        case Heading(text):
+            yield f"<h3>{escape(text)}</h3>"
         case Bullets(items):
             yield "<ul>" + "\n".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
         case Numbers(name, table):

@@ -10,9 +10,9 @@ from acoexp.report.measures import cell_row
 from acoexp.report.statistics import Estimate
 from acoexp.report.tables import Table, interval, success_table
 from acoexp_paper import audit
-from acoexp_paper.averages import Average, averages
+from acoexp_paper.averages import X2_LAST, Average, averages
 from acoexp_paper.claims import CLAIMS
-from acoexp_paper.document import Block, Bullets, Document, Figure, Numbers, Section, Text
+from acoexp_paper.document import Block, Bullets, Document, Figure, Heading, Numbers, Section, Text
 from acoexp_paper.experiment import Experiment
 from acoexp_paper.published import ENVIRONMENTS, TITLES
 from acoexp_paper.readings import Outcome, outcomes
@@ -177,7 +177,17 @@ def _interpretations(found: Findings) -> list[Block]:
         "belong together do so together. pheromone=cells with diffusion.source=walked_edge is Sect. 3.4, step 3, "
         "to the letter."
     )
-    return [Text(intro), Numbers("readings", fit), Numbers("reading_claims", matrix)]
+    return [Text(intro), Text(_readings_of_x2(found)), Numbers("readings", fit), Numbers("reading_claims", matrix)]
+
+
+def _readings_of_x2(found: Findings) -> str:
+    """Say which reading of x2 meets more of its published averages."""
+    inside = {name: [row.inside for row in found.averages if row.column == name] for name in ("x2", X2_LAST)}
+    return (
+        f"x2 is read as the first cycle that finds l1 twice in a row, which meets {sum(inside['x2'])} of "
+        f"{len(inside['x2'])} published averages; as the last cycle with l1 where l2 differs it meets "
+        f"{sum(inside[X2_LAST])}. Nothing has to be run for that: it is the column x2_last of the averages."
+    )
 
 
 _SIGN = {1: "+", 0: "o", -1: "-"}
@@ -197,11 +207,11 @@ def _audit() -> list[Block]:
     headings = ["table", "algorithm", "column", "printed", "of the rows", "of the mended rows", ""]
     return [
         Numbers("audit", Table("The paper's averages, recomputed.", note, headings, rows)),
-        Text("Rows that cannot be, or not as the text has it:"),
+        Heading("Rows that cannot be, or not as the text has it"),
         Bullets(list(audit.impossible_rows())),
-        Text("Where the text, the tables and each other disagree:"),
+        Heading("Where the text and the tables disagree"),
         Bullets(audit.contradictions()),
-        Text("Equations, as they must be meant and are computed here:"),
+        Heading("Equations, as they must be meant and are computed here"),
         Bullets([f"{equation}. {correction}" for equation, correction in audit.EQUATIONS.items()]),
     ]
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from acoexp.report.tables import interval
 from acoexp_paper.averages import X2_LAST
 from acoexp_paper.claims import CLAIMS
-from acoexp_paper.document import Block, Bullets, Text
+from acoexp_paper.document import Block, Bullets, Heading, Text
 from acoexp_paper.published import TITLES
 from acoexp_paper.readings import DEFAULT
 from acoexp_paper.statements import CountIs, MeanIs
@@ -31,10 +31,10 @@ _SINGULAR = {
     DEPENDS: "depends on the map",
 }
 _HEADING = {
-    HOLDS: "What reproduces:",
-    FAILS: "What does not hold, or was not shown:",
-    OPPOSITE: "Where the simulation shows the opposite of the paper:",
-    DEPENDS: "What depends on the map:",
+    HOLDS: "What reproduces",
+    FAILS: "What does not hold, or was not shown",
+    OPPOSITE: "Where the simulation shows the opposite of the paper",
+    DEPENDS: "What depends on the map",
 }
 _NUMBERS = {
     HOLDS: "Published numbers that ten of our trials may well have",
@@ -51,7 +51,8 @@ def summary(found: Findings) -> list[Block]:
             f"{_averages(found)}"
         ),
         *(block for verdict in VERDICTS for block in _of_verdict(found, verdict)),
-        *([Text(_readings(found))] if found.readings else []),
+        *([Heading("Other readings of the paper"), Text(_readings(found))] if found.readings else []),
+        Heading("What this rests on"),
         Text(_caveat(found)),
     ]
 
@@ -83,7 +84,7 @@ def _of_verdict(found: Findings, verdict: str) -> list[Block]:
     numbers = [f"{_text(j)} ({_result(j)})" for j in judged if isinstance(j.claim.kind, MeanIs | CountIs)]
     if numbers:
         items.append(f"{_NUMBERS[verdict]}: {'; '.join(numbers)}.")
-    return [Text(_HEADING[verdict]), Bullets(items)] if items else []
+    return [Heading(_HEADING[verdict]), Bullets(items)] if items else []
 
 
 def _text(judged: Judged) -> str:
