@@ -117,7 +117,7 @@ def test_it_says_first_what_reproduces(report: Path) -> None:
     text = (report / "report.md").read_text(encoding="utf-8")
     assert text.index("## Summary") < text.index("## Tables 1 to 3")
     verdicts = [claim["verdict"] for claim in content(report)["claims"]]
-    assert f"Of {len(verdicts)} claims of the paper that can be tested, " in text
+    assert f"Of {len(verdicts)} claims of the paper, " in text
     assert f"{verdicts.count('does not hold')} do not hold" in text
 
 

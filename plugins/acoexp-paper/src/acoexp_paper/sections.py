@@ -72,8 +72,8 @@ def _averages(found: Findings) -> list[Block]:
         "Published averages, of ten trials each, beside ours: of the seeds 0 to 9, and of all "
         f"{found.experiment.trials} trials with the interval in which the mean of ten trials falls in 95 % of "
         "cases (bootstrap). Inside: whether the published average lies in it. Ensemble: the same where the map, "
-        "too, is drawn from the ensemble. x2_last is x2 read as the last cycle with l1 where l2 differs. Lengths "
-        "in cells, n_c of ten."
+        "too, is drawn from the ensemble; for env1 that alone counts. x2_last is x2 read as the last cycle with "
+        "l1 where l2 differs. Lengths in cells, n_c of ten."
     )
     headings = ["table", "map", "algorithm", "column", "published", "seeds 0-9", "ours", "inside"]
     headings += ["ensemble", "inside (ensemble)"]
@@ -95,9 +95,10 @@ def _claims(found: Findings) -> list[Block]:
         "more often. A trial that misses the optimum ranks behind all that find it. p of comparing claims is "
         "corrected over their family (Holm); claims about one algorithm are their own null hypothesis and are "
         'judged uncorrected. "Every" is held to mean 99 %. Maps: those of the ensemble that support the claim / '
-        "show the opposite / neither. * the maps were fitted to this number."
+        "show the opposite / neither; over the maps: the mean effect, each map counting once (for odds ratios the "
+        "difference in shares). * the maps were fitted to this number."
     )
-    headings = ["claim", "where", "map", "test", "p", "effect", "on the map", "maps", "verdict"]
+    headings = ["claim", "where", "map", "test", "p", "effect", "on the map", "maps", "over the maps", "verdict"]
     rows = [_claim_row(judged) for judged in found.claims]
     explain = (
         "A claim holds, or its opposite does, if at least four fifths of the maps say so and none says the "
@@ -121,6 +122,7 @@ def _claim_row(judged: Judged) -> list[str]:
         f"{finding.measure} {effect}",
         judged.on_map or "-",
         f"{says.count(1)} / {says.count(-1)} / {says.count(0)}" if says else "-",
+        "-" if judged.over_maps is None else f"{interval(*judged.over_maps.effect)}, p {_p(judged.over_maps.p)}",
         judged.verdict,
     ]
 

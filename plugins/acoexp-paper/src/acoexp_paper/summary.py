@@ -45,16 +45,16 @@ _NUMBERS = {
 
 def summary(found: Findings) -> list[Block]:
     """Return the summary."""
-    return [
+    blocks: list[Block] = [
         Text(
-            f"Of {len(CLAIMS)} claims of the paper that can be tested, {_counted(found.claims)}. "
-            f"{_averages(found)}"
-        ),
-        *(block for verdict in VERDICTS for block in _of_verdict(found, verdict)),
-        *([Heading("Other readings of the paper"), Text(_readings(found))] if found.readings else []),
-        Heading("What this rests on"),
-        Text(_caveat(found)),
+            f"Of {len(CLAIMS)} claims of the paper that can be tested, {_counted(found.claims)}. {_averages(found)}"
+        )
     ]
+    for verdict in VERDICTS:
+        blocks += _of_verdict(found, verdict)
+    if found.readings:
+        blocks += [Heading("Other readings of the paper"), Text(_readings(found))]
+    return [*blocks, Heading("What this rests on"), Text(_caveat(found))]
 
 
 def _counted(claims: Sequence[Judged]) -> str:
