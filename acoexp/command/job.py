@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 import time
-from contextlib import chdir
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from omegaconf.errors import OmegaConfBaseException
 
 from acoexp import registry
 from acoexp.command import summary
+from acoexp.command.parcel import Parcel
 from acoexp.errors import SettingsError
 from acoexp.grid import Grid
 from acoexp.parameters import build
@@ -34,7 +35,7 @@ def run_job(config: DictConfig) -> float:
     Raises:
         AcoexpError: for whatever went wrong.
     """
-    with chdir(HydraConfig.get().runtime.cwd):  # files and stores are named from there, also under hydra.job.chdir
+    with Parcel().at_home():  # files and stores are named from there, also under hydra.job.chdir
         return Job(config).run()
 
 
@@ -47,7 +48,7 @@ class Job:
 
     def __init__(self, config: DictConfig) -> None:
         self.config = _plain(config)
-        self.tracker: Tracker = open_tracker(self._mapping("tracking"))
+        self.tracker: Tracker = open_tracker(self._tracking())
         self.seed = check_seed(self.config.get("seed"))
         self.settings = self._settings()
         self.grid = self._grid()
@@ -90,6 +91,12 @@ class Job:
     def _context(self, folder: Path) -> Context:
         return Context(self.config["algo"], self.settings, self.grid, folder)
 
+    def _tracking(self) -> dict[str, Any]:
+        """Return where results go, by the absolute address if the parent gave one."""
+        tracking = self._mapping("tracking")
+        absolute = Parcel().addresses.get(str(tracking.get("uri")))
+        return tracking if absolute is None else {**tracking, "uri": absolute}
+
     def _settings(self) -> Settings:
         others = ("seed", "algo", "map", "tracking", "report")
         values = {key: value for key, value in self.config.items() if key not in others}
@@ -98,7 +105,8 @@ class Job:
     def _grid(self) -> Grid:
         parameters = dict(self._mapping("map"))
         name = parameters.pop("name", None)
-        return _load(build(registry.find("map", name), parameters, "map."))
+        source = build(registry.find("map", name), parameters, "map.")
+        return _load(source, Parcel().map_of(self._mapping("map")))
 
     def _report(self) -> Report | None:
         """Return the report that was asked for, or None."""
@@ -119,9 +127,9 @@ class Job:
 
 
 @lru_cache(maxsize=4)
-def _load(source: Any) -> Grid:
-    """Load a map once for the jobs of a process that share it."""
-    grid: Grid = source.load()
+def _load(source: Any, carried: Path | None) -> Grid:
+    """Load a map once for the jobs of a process that share it: as the parent found it, if it sent it along."""
+    grid: Grid = source.load() if carried is None else pickle.loads(carried.read_bytes())
     return grid
 
 

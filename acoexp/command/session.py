@@ -21,8 +21,10 @@ from omegaconf.errors import OmegaConfBaseException
 from acoexp.command import summary, sweep
 from acoexp.command.job import Job
 from acoexp.command.messages import print_error
+from acoexp.command.parcel import Parcel, carry_options
 from acoexp.errors import AcoexpError
 from acoexp.settings import check_seed
+from acoexp.tracking.mlflow_store import MlflowTracker
 
 
 class Session(Callback):
@@ -64,18 +66,33 @@ def _begin_sweep(config: DictConfig) -> None:
     others = [override for override in parsed if override.key_or_group != "seed"]
     for seed in (value for override in parsed if override not in others for value in _values(override)):
         _check_seed_text(seed)
-    trackers, report = {}, None
+    trackers, maps, report = {}, [], None
     for combination in BasicSweeper.split_arguments(others, None)[0]:
         overrides = [*combination, *config.hydra.overrides.hydra]
         job = Job(loader.load_configuration("config", overrides, run_mode=RunMode.RUN))
         trackers[job.tracker.where], report = job.tracker, job.report
+        maps.append((job.config["map"], job.grid))
+        if isinstance(job.tracker, MlflowTracker):
+            Parcel().addresses[job.config["tracking"]["uri"]] = job.tracker.uri
     # Hydra would compose every job once more to see whether it is legal: 40 s of silence for 500 of them
     BasicSweeper.validate_batch_is_legal = lambda *_: None  # type: ignore[method-assign]
     for tracker in trackers.values():
         tracker.prepare()
+    folder = _fix_folder(config)
+    Parcel().pack(folder, maps)
+    carry_options(loader)
     if report is None:
         total = len(BasicSweeper.split_arguments(parsed, None)[0]) if basic else None
-        sweep.begin(Path(config.hydra.sweep.dir), total, ", ".join(trackers))
+        sweep.begin(folder, total, ", ".join(trackers))
+
+
+def _fix_folder(config: DictConfig) -> Path:
+    """Name the sweep's folder absolutely, for jobs that are composed elsewhere too; return it."""
+    folder = Path(config.hydra.sweep.dir).absolute()
+    config.hydra.sweep.dir = str(folder)
+    quoted = str(folder).replace("'", r"\'")
+    config.hydra.overrides.hydra.append(f"hydra.sweep.dir='{quoted}'")
+    return folder
 
 
 def _values(override: Override) -> list[str]:
