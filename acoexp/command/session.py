@@ -59,6 +59,7 @@ def _or_exit(action: Any) -> None:
 
 def _begin_sweep(config: DictConfig) -> None:
     loader = GlobalHydra.instance().config_loader()
+    carry_options(loader)
     parsed = OverridesParser.create(config_loader=loader).parse_overrides(list(config.hydra.overrides.task))
     basic = config.hydra.sweeper._target_ == f"{BasicSweeper.__module__}.{BasicSweeper.__qualname__}"
     if not basic:  # what its values will be, only the sweeper knows
@@ -80,7 +81,6 @@ def _begin_sweep(config: DictConfig) -> None:
         tracker.prepare()
     folder = _fix_folder(config)
     Parcel().pack(folder, maps)
-    carry_options(loader)
     if report is None:
         total = len(BasicSweeper.split_arguments(parsed, None)[0]) if basic else None
         sweep.begin(folder, total, ", ".join(trackers))
