@@ -75,6 +75,10 @@ class Remembered(ConfigSource):
         self._folder = folder
         self._answers: dict[tuple[Any, ...], Any] = {}
 
+    def __deepcopy__(self, _: Any) -> Remembered:
+        """Return itself: Hydra composes each job from a copy of its sources, whose memory would be lost."""
+        return self
+
     @staticmethod
     def scheme() -> str:
         """Return what an address of this kind begins with."""
