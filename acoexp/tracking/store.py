@@ -39,12 +39,20 @@ _gave_up: set[str] = set()
 
 
 class Store:
-    """An MLflow store."""
+    """An MLflow store.
+
+    Attributes:
+        uri: Its address.
+        file: Its database file, if it is one of SQLite's.
+        folder: Where that lies.
+        shown: The address as it may be shown, without a password.
+    """
 
     def __init__(self, uri: str) -> None:
         file, mark, query = uri.removeprefix(_SQLITE).partition("?")
-        self._file = Path(file).absolute() if uri.startswith(_SQLITE) else None
-        self.uri = uri if self._file is None else f"{_SQLITE}{self._file}{mark}{query}"
+        self.file = Path(file).absolute() if uri.startswith(_SQLITE) else None
+        self.uri = uri if self.file is None else f"{_SQLITE}{self.file}{mark}{query}"
+        self.folder = None if self.file is None else self.file.parent
         self.shown = re.sub(r"//[^/@]*@", "//***@", uri)  # no password on a screen or in a log
 
     def prepare(self) -> None:
@@ -54,13 +62,13 @@ class Store:
             TrackingError: if the store cannot be reached or written.
         """
         with self._reporting("cannot be opened"), _few_retries():
-            if self._file is not None:
-                self._file.parent.mkdir(parents=True, exist_ok=True)
+            if self.file is not None:
+                self.file.parent.mkdir(parents=True, exist_ok=True)
             # several processes that migrate one fresh database at once all fail
-            lock = FileLock(f"{self._file}.lock") if self._file is not None else nullcontext()
+            lock = FileLock(f"{self.file}.lock") if self.file is not None else nullcontext()
             with lock:
-                if self._file is not None:
-                    _check_writable(self._file)
+                if self.file is not None:
+                    _check_writable(self.file)
                 experiment = self.client.get_experiment_by_name(EXPERIMENT)
                 if experiment is None:
                     self.client.create_experiment(EXPERIMENT, self._artifacts())
@@ -128,7 +136,7 @@ class Store:
         """Return where artifacts go: beside a local database, else wherever the server puts them."""
         if self.uri.startswith(("http:", "https:")):
             return None
-        folder = self._file.parent if self._file is not None else Path("outputs").absolute()
+        folder = self.file.parent if self.file is not None else Path("outputs").absolute()
         return (folder / "artifacts").as_uri()
 
     @contextmanager
