@@ -12,7 +12,6 @@ from acoexp import registry
 from acoexp.errors import SettingsError
 from acoexp.grid import Cell, Grid
 from acoexp.maps.file import MapFile
-from acoexp.parameters import build
 from acoexp.result import Result
 from acoexp.settings import resolve
 from acoexp.solver import Solver
@@ -93,6 +92,6 @@ def as_grid(
     if isinstance(map, Path):
         return MapFile(path=str(map), start=start, goal=goal, moves=moves).load()
     if isinstance(map, str):
-        grid: Grid = build(registry.find("map", map), {}, "map.").load()
+        grid: Grid = registry.build_part("map", map, {}).load()
         return grid
     return Grid(map, start=start, goal=goal, moves="no_squeeze" if moves is None else moves)

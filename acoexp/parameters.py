@@ -46,12 +46,18 @@ def parameter(
 
 def fields_of(owner: type) -> dict[str, dataclasses.Field[Any]]:
     """Return the parameters that a dataclass declares, by name, in order of declaration."""
-    return {f.name: f for f in dataclasses.fields(owner) if "meaning" in f.metadata}
+    fields = dataclasses.fields(owner) if dataclasses.is_dataclass(owner) else ()
+    return {f.name: f for f in fields if "meaning" in f.metadata}
 
 
 def defaults_of(owner: type) -> dict[str, Any]:
     """Return each parameter's default, by name."""
     return {name: f.default for name, f in fields_of(owner).items()}
+
+
+def values_of(owner: Any) -> dict[str, Any]:
+    """Return the value of each parameter of an instance, by name; none for one that declares none."""
+    return {name: getattr(owner, name) for name in fields_of(type(owner))}
 
 
 def build(owner: type, values: Mapping[str, Any], prefix: str = "") -> Any:

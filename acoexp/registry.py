@@ -6,6 +6,7 @@ A part is never imported before it is asked for, so one broken package harms nob
 from __future__ import annotations
 
 import logging
+from collections.abc import Mapping
 from dataclasses import is_dataclass
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
@@ -13,6 +14,7 @@ from typing import Any
 
 from acoexp.errors import SettingsError, StrategyError
 from acoexp.maps.source import MapSource
+from acoexp.parameters import build
 from acoexp.report.report import Report
 from acoexp.strategies.part import CONTRACT, Choice, Diffusion, Heuristic, Post, Update
 
@@ -67,6 +69,16 @@ def find(group: str, name: Any) -> Any:
         raise SettingsError(f"{group}: expected one of: {', '.join(names(group))}; got {name!r}")
     _settle(group, name)
     return _load(entries(group)[name], group)
+
+
+def build_part(group: str, name: Any, parameters: Mapping[str, Any]) -> Any:
+    """Return the part registered as ``name`` in ``group``, made from checked parameters.
+
+    Raises:
+        SettingsError: if there is no such name, or for a parameter that its declaration does not allow.
+        StrategyError: as :func:`find`.
+    """
+    return build(find(group, name), parameters, f"{group}.")
 
 
 def package_of(group: str, owner: type) -> str | None:

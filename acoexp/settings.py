@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, is_dataclass
-from operator import index
 from typing import Any
 
 from acoexp import registry
 from acoexp.colony.problem import ColonySettings
 from acoexp.errors import SettingsError
 from acoexp.field import FieldSettings
-from acoexp.parameters import build, check, fields_of
+from acoexp.parameters import build, check, fields_of, values_of
 from acoexp.presets import CUSTOM, find_preset
 from acoexp.registry import STRATEGIES, STRATEGY_GROUPS
-
-HIGHEST_SEED = 2**64 - 1
 
 
 @dataclass(frozen=True)
@@ -35,6 +32,11 @@ class Settings:
     field: FieldSettings
     parts: dict[str, Any]
     names: dict[str, str]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything as plain values, nested as on the command line: ``diffusion.gamma`` and so on."""
+        parts = {group: {"name": self.names[group], **values_of(part)} for group, part in self.parts.items()}
+        return {"algo": self.label, **values_of(self.scalars), "field": values_of(self.field), **parts}
 
 
 def resolve(algo: Any, values: Mapping[str, Any]) -> Settings:
@@ -67,36 +69,19 @@ def resolve(algo: Any, values: Mapping[str, Any]) -> Settings:
     )
 
 
-def check_seed(seed: Any) -> int:
-    """Return a seed as a whole number from 0 to 2^64 - 1.
-
-    Raises:
-        SettingsError: if it is not one.
-    """
-    try:
-        whole = -1 if isinstance(seed, bool) else index(seed)
-    except TypeError:
-        whole = -1
-    if not 0 <= whole <= HIGHEST_SEED:
-        raise SettingsError(f"seed: expected a whole number from 0 to 2^64 - 1; got {seed!r}")
-    return whole
-
-
 def _part(group: str, given: Any, preset_name: str) -> tuple[str, Any]:
     """Return a part's name and the part itself."""
     if isinstance(given, STRATEGIES[group]):
         name = _registered_name(group, type(given))
         registry.check_contract(group, name, type(given))
         if is_dataclass(given):
-            values = {key: getattr(given, key) for key in fields_of(type(given))}
-            check(type(given), values, f"{group}.")
+            check(type(given), values_of(given), f"{group}.")
         return name, given
     if isinstance(given, str):
         given = {"name": given}
     parameters = dict(_mapping(group, given))
     name = parameters.pop("name", preset_name)
-    owner = registry.find(group, name)
-    return name, build(owner, parameters, f"{group}.")
+    return name, registry.build_part(group, name, parameters)
 
 
 def _mapping(key: str, given: Any) -> Mapping[str, Any]:

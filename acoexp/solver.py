@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections import deque
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sized
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import lru_cache
-from typing import Any, NamedTuple, cast
+from threading import Lock
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +20,20 @@ from acoexp.colony.state import Colony, Trails, new_colony, new_trails
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
 from acoexp.grid import Grid
 from acoexp.result import Result
-from acoexp.settings import Settings, check_seed
+from acoexp.seeds import check_seed
+from acoexp.settings import Settings
 
 DESIRABILITY_LIMIT = 1e200
 """eta^beta is cut off here: with pheromone's own bound, no sum of weights overflows."""
 
 _loop = lru_cache(maxsize=None)(make_loop)
+
+
+class Failure(NamedTuple):
+    """A trial that came to no result, and why."""
+
+    seed: int
+    reason: StrategyError
 
 
 class Workspace(NamedTuple):
@@ -87,30 +95,61 @@ class Solver:
         if not isinstance(seeds, Iterable):
             raise SettingsError(f"seeds: expected whole numbers, such as range(10); got {seeds!r}")
         checked = [check_seed(seed) for seed in seeds]
-        results: list[Result | None] = [None] * len(checked)
-        waiting = deque(enumerate(checked))
+        results: dict[int, Result] = {}
+
+        def receive(outcome: Result | Failure) -> None:
+            if isinstance(outcome, Failure):
+                raise outcome.reason
+            results[outcome.seed] = outcome
+
+        self.run(dict.fromkeys(checked), receive, threads)
+        return [results[seed] for seed in checked]
+
+    def run(
+        self, seeds: Iterable[int], receive: Callable[[Result | Failure], None], threads: int | None = None
+    ) -> None:
+        """Run a trial for each seed and hand over each outcome as soon as it is there, in any order.
+
+        Args:
+            seeds: Whole numbers from 0 to 2^64 - 1; taken one by one, so they need no room.
+            receive: Called by one thread at a time; what it raises ends the run.
+            threads: How many threads; by default one for each processor this process may use.
+
+        Raises:
+            SettingsError: for a number of threads that is not one.
+        """
+        waiting, busy = iter(seeds), Lock()
         stop = np.zeros(1, dtype=np.uint8)
 
         def work() -> None:
             workspace = self._new_workspace(stop)
-            while waiting:
-                try:
-                    place, seed = waiting.popleft()
-                except IndexError:  # another thread was quicker
+            while not stop[0]:
+                with busy:
+                    seed = next(waiting, None)
+                if seed is None:
                     return
-                results[place] = self._trial(workspace, seed)
+                outcome = self._outcome(workspace, seed)
+                with busy:
+                    if not stop[0]:
+                        receive(outcome)
 
-        workers = min(_check_threads(threads), max(1, len(checked)))
+        workers = check_threads(threads)
+        if isinstance(seeds, Sized):
+            workers = min(workers, max(1, len(seeds)))
         # a thread even for a single trial: the main one has to hear Ctrl-C while a kernel runs
         with ThreadPoolExecutor(workers) as pool:
             try:
                 for done in as_completed([pool.submit(work) for _ in range(workers)]):
                     done.result()
             except BaseException:
-                waiting.clear()
                 stop[0] = 1
                 raise
-        return cast(list[Result], results)
+
+    def _outcome(self, workspace: Workspace, seed: int) -> Result | Failure:
+        try:
+            return self._trial(workspace, seed)
+        except StrategyError as problem:
+            return Failure(seed, problem)
 
     def _trial(self, workspace: Workspace, seed: int) -> Result:
         record = _new_record(self.settings.scalars.iterations)
@@ -259,7 +298,12 @@ def _writable(own: Own) -> list[NDArray[Any]]:
     return [value for value in values if isinstance(value, np.ndarray) and value.flags.writeable]
 
 
-def _check_threads(threads: int | None) -> int:
+def check_threads(threads: int | None) -> int:
+    """Return a number of threads; where none is given, one for each processor that this process may use.
+
+    Raises:
+        SettingsError: if it is no whole number from 1 up.
+    """
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:

@@ -49,7 +49,10 @@ def slurm() -> Iterator[dict[str, str]]:
         stack.enter_context(running([slurmctld, "-D"], home, env))
         stack.enter_context(running([slurmd, "-D", "-N", "localhost"], home, env))
         until(lambda: says(["sinfo", "--noheader", "--format=%t"], env) == "idle")
-        yield env
+        try:
+            yield env
+        finally:
+            says(["scancel", "--user", pwd.getpwuid(os.getuid()).pw_name], env)
 
 
 def _slurm_conf(home: Path) -> str:

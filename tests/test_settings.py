@@ -10,7 +10,8 @@ import pytest
 
 from acoexp import SettingsError
 from acoexp.presets import find_preset
-from acoexp.settings import Settings, check_seed, resolve
+from acoexp.seeds import check_seed
+from acoexp.settings import Settings, resolve
 from acoexp.strategies import Choice, Diffusion, Heuristic, Post, Update
 from acoexp.strategies.choice.roulette import Roulette
 from acoexp.strategies.diffusion.gaussian import Gaussian

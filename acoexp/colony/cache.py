@@ -161,20 +161,26 @@ def digest_of(kernels: tuple[Any, ...]) -> str | None:
             packages.add(function.__module__.partition(".")[0])
             function = f"{function.__module__}:{function.__qualname__}"
         parts.append(str(function))
-    sources = [_digest_of_sources(package) for package in sorted(packages)]
+    sources = [digest_of_sources(package) for package in sorted(packages)]
     if None in sources:
         return None
     return hashlib.sha256(repr((parts, sources)).encode()).hexdigest()[:32]
 
 
 @cache
-def _digest_of_sources(package: str) -> str | None:
-    """Return a digest of every source file of a top-level package, as it is when first asked for."""
+def digest_of_sources(package: str, only: tuple[str, ...] | None = None) -> str | None:
+    """Return a digest of the source files of a top-level package, as they are when first asked for.
+
+    Args:
+        package: Its name; None comes back if it is not imported, or has no files.
+        only: Folders and files at its top that count; all of them by default.
+    """
     if package not in sys.modules:
         return None
     module = sys.modules[package]
     folders = [Path(folder) for folder in getattr(module, "__path__", [])]
     files = [(f.relative_to(folder), f) for folder in folders for f in folder.rglob("*.py")]
+    files = [(name, f) for name, f in files if only is None or name.parts[0] in only]
     if not folders:
         if getattr(module, "__file__", None) is None:
             return None

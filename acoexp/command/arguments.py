@@ -17,6 +17,7 @@ from acoexp import registry
 from acoexp.colony.problem import ColonySettings
 from acoexp.errors import SettingsError
 from acoexp.parameters import fields_of
+from acoexp.seeds import parse_seeds
 
 _RANGES = re.compile(r"\d+(-\d+)?(,\d+(-\d+)?)*")
 _WHOLE_KEYS = {"seed", *(name for name, field in fields_of(ColonySettings).items() if field.type == "int")}
@@ -71,7 +72,8 @@ def normalise(argv: list[str]) -> Arguments:
             )
     for override in given:
         _refuse_nothing(override)
-    overrides = [_expand(override) for override in given]
+    overrides = [_quote_seeds(override) or _expand(override) for override in given]
+    _refuse_seed_with_seeds(overrides)
     others = (flags.cfg, flags.info, flags.help, flags.hydra_help, flags.shell_completion)
     if sum(map(bool, (*others, flags.run, flags.multirun))) > 1 and not (flags.help and flags.cfg):
         raise SettingsError("expected only one of --run, --multirun, --cfg, --info, --help and -sc")
@@ -120,6 +122,23 @@ def _in_full(flag: str, parser: ArgumentParser) -> str:
     known = parser._option_string_actions
     longer = [name for name in known if flag.startswith("--") and name.startswith(flag)]
     return longer[0] if flag not in known and len(longer) == 1 else flag
+
+
+def _quote_seeds(override: str) -> str | None:
+    """Return ``seeds=0-9,20`` as one text for one batch, which Hydra will not take for several values."""
+    key, equals, value = override.partition("=")
+    if key != "seeds" or not equals or value.lower() == "null":
+        return None
+    return f"seeds='{parse_seeds(value.strip(chr(39) + chr(34)))}'"
+
+
+def _refuse_seed_with_seeds(overrides: list[str]) -> None:
+    given = {override.partition("=")[0]: override for override in overrides}
+    if "seed" in given and "seeds" in given and given["seeds"] != "seeds=null":
+        raise SettingsError(
+            f"expected seed for trials, each a run, or seeds for a batch, one run; got {given['seed']} "
+            f"and {given['seeds']}"
+        )
 
 
 def _expand(override: str) -> str:

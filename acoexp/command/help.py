@@ -20,6 +20,7 @@ acoexp: ant-colony path planning of mobile robots on occupancy grids
   python -m acoexp algo=pdg map=env2 -m seed=0-9         ten trials, tracked
   python -m acoexp map=file map.path=my_map.txt          your own map
   python -m acoexp algo=aco,pd,pdg map=env2 -m seed=0-9  compare
+  python -m acoexp algo=aco,pd,pdg -m seeds=0-999        three batches of a thousand trials
 
 Say group=option, or key=value. Sweep over several values by -m: seed=0-4,7 algo=aco,pdg rho=0.3,0.5
 If nothing is said: algo=pdg map=fig13 seed=0 tracking=mlflow engine=basic report=none
@@ -92,7 +93,12 @@ def _summaries(group: str) -> dict[str, str]:
 
 
 def _scalars() -> str:
-    keys = {"seed": "whole number that the trial's random numbers follow from [0]"}
+    keys = {
+        "seed": "whole number that the trial's random numbers follow from [0]",
+        "seeds": "instead, those of a batch, such as 0-999: one run with a table of its trials [null]",
+        "threads": "threads that run a batch; one for each processor if null [null]",
+        "resume": "whether what the store has of the same trials is taken from there [true]",
+    }
     keys |= _keys(ColonySettings) | {f"field.{key}": text for key, text in _keys(FieldSettings).items()}
     return _section("keys", "key=value", keys)
 

@@ -1,11 +1,10 @@
-"""One job: a resolved configuration becomes a trial, is tracked, and leaves its files in the job's folder."""
+"""One job: a checked configuration, which becomes a trial, a batch of trials, or a report."""
 
 from __future__ import annotations
 
-import json
 import math
 import pickle
-import time
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -18,19 +17,24 @@ from omegaconf.errors import OmegaConfBaseException
 from acoexp import registry
 from acoexp.command import summary
 from acoexp.command.parcel import Parcel
+from acoexp.command.records import run_batch_job, run_trial_job
 from acoexp.errors import SettingsError
 from acoexp.grid import Grid
-from acoexp.parameters import build
 from acoexp.report.context import Context
 from acoexp.report.report import Report
-from acoexp.settings import Settings, check_seed, resolve
-from acoexp.solver import Solver
-from acoexp.tracking import Tracker, Trial, open_tracker
-from acoexp.tracking.tracker import NoTracker
+from acoexp.seeds import Seeds, check_seed, parse_seeds
+from acoexp.settings import Settings, resolve
+from acoexp.solver import check_threads
+from acoexp.tracking import Setup, Tracker, open_tracker
+from acoexp.tracking.setup import NOT_OF_THE_TRIAL
+
+_NOT_SETTINGS = ("seed", "algo", "map", *NOT_OF_THE_TRIAL)
 
 
 def run_job(config: DictConfig) -> float:
-    """Run the trial that a configuration describes; return its best length.
+    """Run what a configuration describes; return the best length, or a batch's mean of it.
+
+    It is infinite where no ant ever arrived, and nan for a report.
 
     Raises:
         AcoexpError: for whatever went wrong.
@@ -42,6 +46,12 @@ def run_job(config: DictConfig) -> float:
 class Job:
     """A checked configuration, ready to run.
 
+    Attributes:
+        tracker: Where its results go.
+        setup: What its trials are of.
+        seeds: The seeds of a batch, or None for a single trial.
+        report: The report that is asked for, or None.
+
     Raises:
         AcoexpError: if anything in it is wrong; nothing has been written then.
     """
@@ -50,62 +60,68 @@ class Job:
         self.config = _plain(config)
         self.tracker: Tracker = open_tracker(self._tracking())
         self.seed = check_seed(self.config.get("seed"))
-        self.settings = self._settings()
-        self.grid = self._grid()
+        seeds = self.config.get("seeds")
+        self.seeds: Seeds | None = None if seeds is None else parse_seeds(seeds)
+        self.threads: int | None = self.config.get("threads")
+        if self.threads is not None:
+            check_threads(self.threads)
+        self.resume = _check_flag("resume", self.config.get("resume"))
+        self.setup = Setup(self._settings(), self._grid(), self.config)
         self.report = self._report()
         if self.report is not None:
-            self.tracker = NoTracker()
-            self.report.check(self._context(Path()))
+            self.report.check(self._context(self.report, Path()))
+
+    @property
+    def trials(self) -> int:
+        """How many trials it is."""
+        return 1 if self.seeds is None else len(self.seeds)
 
     def run(self) -> float:
-        """Run the trial and keep what it found, or write the report that is asked for."""
+        """Run the trials and keep what they found, or write the report that is asked for."""
         if self.report is not None:
             return self._write_report(self.report)
-        solver = Solver(self.grid, self.settings)
-        began = time.perf_counter()
-        result = solver.solve(self.seed)
-        seconds = time.perf_counter() - began
-        trial = Trial(result, self.config)
         hydra = HydraConfig.get()
         folder = Path(hydra.runtime.output_dir)
         (folder / "config.yaml").write_text(OmegaConf.to_yaml(self.config), encoding="utf-8")
-        if hydra.mode == RunMode.RUN:
-            from acoexp.command.pictures import draw_convergence, draw_map
-
-            draw_map(result, folder / "path.png")
-            draw_convergence(result, folder / "convergence.png")
-        content = {**result.as_dict(), "seconds": seconds, "cell": trial.cell, "config": trial.params}
-        self.tracker.log(trial)
-        _write_whole(folder / "trial.json", json.dumps(content))
-        return result.length
+        anew = not self.resume
+        if self.seeds is not None:
+            return run_batch_job(self.setup, self.seeds, self.tracker, folder, threads=self.threads, anew=anew)
+        pictures = hydra.mode == RunMode.RUN
+        return run_trial_job(self.setup, self.seed, self.tracker, folder, anew=anew, pictures=pictures)
 
     def _write_report(self, report: Report) -> float:
         """Write a report: under outputs/reports, or in the job's own folder if it is one of several."""
         hydra, name = HydraConfig.get(), self.config["report"]["name"]
         several = hydra.mode == RunMode.MULTIRUN
         folder = Path(hydra.runtime.output_dir if several else "outputs/reports") / name
-        written = report.write(self._context(folder))
+        written = report.write(self._context(report, folder))
         summary.print_report(written, report.headline(written))
         return math.nan
 
-    def _context(self, folder: Path) -> Context:
-        return Context(self.config["algo"], self.settings, self.grid, folder)
+    def _context(self, report: Report, folder: Path) -> Context:
+        return Context(
+            algo=self.config["algo"],
+            settings=self.setup.settings,
+            grid=self.setup.grid,
+            folder=folder,
+            tracker=self.tracker,
+            threads=self.threads,
+            resume=self.resume,
+        )
 
-    def _tracking(self) -> dict[str, Any]:
+    def _tracking(self) -> Mapping[str, Any]:
         """Return where results go, by the absolute address if the parent gave one."""
         tracking = self._mapping("tracking")
         absolute = Parcel().addresses.get(str(tracking.get("uri")))
         return tracking if absolute is None else {**tracking, "uri": absolute}
 
     def _settings(self) -> Settings:
-        others = ("seed", "algo", "map", "tracking", "report")
-        values = {key: value for key, value in self.config.items() if key not in others}
+        values = {key: value for key, value in self.config.items() if key not in _NOT_SETTINGS}
         return resolve(self.config.get("algo"), values)
 
     def _grid(self) -> Grid:
         parameters = dict(self._mapping("map"))
-        name = parameters.pop("name", None)
-        source = build(registry.find("map", name), parameters, "map.")
+        source = registry.build_part("map", parameters.pop("name", None), parameters)
         return _load(source, Parcel().map_of(self._mapping("map")))
 
     def _report(self) -> Report | None:
@@ -113,17 +129,23 @@ class Job:
         parameters = dict(self._mapping("report"))
         name = parameters.pop("name", None)
         if name != "none":
-            report: Report = build(registry.find("report", name), parameters, "report.")
+            report: Report = registry.build_part("report", name, parameters)
             return report
         for key in parameters:
             raise SettingsError(f"report.{key} is not a known key of report=none")
         return None
 
-    def _mapping(self, key: str) -> dict[str, Any]:
+    def _mapping(self, key: str) -> Mapping[str, Any]:
         value = self.config.get(key)
         if not isinstance(value, dict):
             raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
         return value
+
+
+def _check_flag(key: str, value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise SettingsError(f"{key}: expected true or false; got {value!r}")
+    return value
 
 
 @lru_cache(maxsize=4)
@@ -140,10 +162,3 @@ def _plain(config: DictConfig) -> dict[str, Any]:
     except OmegaConfBaseException as problem:
         raise SettingsError(str(problem).splitlines()[0]) from problem
     return {str(key): value for key, value in plain.items()} if isinstance(plain, dict) else {}
-
-
-def _write_whole(file: Path, text: str) -> None:
-    """Write a file so that it is there whole or not at all; its presence says that the trial is finished."""
-    draft = file.with_suffix(".draft")
-    draft.write_text(text, encoding="utf-8")
-    draft.replace(file)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+import sys
 import traceback
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -21,10 +23,12 @@ from omegaconf.errors import OmegaConfBaseException
 from acoexp.command import summary, sweep
 from acoexp.command.job import Job
 from acoexp.command.messages import print_error
+from acoexp.command.outcome import record_of
 from acoexp.command.parcel import Parcel, carry_options
+from acoexp.command.records import TRIAL
 from acoexp.errors import AcoexpError
-from acoexp.settings import check_seed
-from acoexp.tracking.mlflow_store import MlflowTracker
+from acoexp.seeds import check_seed
+from acoexp.tracking.mlflow_tracker import MlflowTracker
 
 
 class Session(Callback):
@@ -32,16 +36,16 @@ class Session(Callback):
 
     def on_run_start(self, config: DictConfig, **_: Any) -> None:
         """Check the one job."""
-        _or_exit(lambda: Job(config).tracker.prepare())
+        _or_exit(lambda: _begin_run(config))
 
     def on_multirun_start(self, config: DictConfig, **_: Any) -> None:
-        """Check all jobs, and begin to watch over them."""
+        """Check all jobs, leave out those that are in the store, and begin to watch over the others."""
         _or_exit(lambda: _begin_sweep(config))
 
     def on_run_end(self, config: DictConfig, **kwargs: Any) -> None:
         """Tell what the one job found."""
         folder, ended = Path(config.hydra.run.dir), kwargs["job_return"]
-        if ended.status == JobStatus.COMPLETED and (folder / "trial.json").exists():
+        if ended.status == JobStatus.COMPLETED and (folder / TRIAL).exists():
             summary.print_trial(folder, Job(config).tracker.where)
 
 
@@ -57,33 +61,39 @@ def _or_exit(action: Any) -> None:
         raise SystemExit(1) from problem
 
 
+def _begin_run(config: DictConfig) -> None:
+    job = Job(config)
+    job.tracker.prepare()
+    if job.seeds is not None and job.report is None:
+        sweep.begin(Path(config.hydra.run.dir), len(job.seeds), job.tracker.where)
+
+
 def _begin_sweep(config: DictConfig) -> None:
     loader = GlobalHydra.instance().config_loader()
     carry_options(loader)
     parsed = OverridesParser.create(config_loader=loader).parse_overrides(list(config.hydra.overrides.task))
+    # what another sweeper will choose, only that one knows
     basic = config.hydra.sweeper._target_ == f"{BasicSweeper.__module__}.{BasicSweeper.__qualname__}"
-    if not basic:  # what its values will be, only the sweeper knows
-        parsed = [override for override in parsed if not override.is_sweep_override()]
-    others = [override for override in parsed if override.key_or_group != "seed"]
-    for seed in (value for override in parsed if override not in others for value in _values(override)):
-        _check_seed_text(seed)
-    trackers, maps, report = {}, [], None
+    known = parsed if basic else [override for override in parsed if not override.is_sweep_override()]
+    for override in known:
+        if override.key_or_group == "seed":
+            _check_seeds(override)
+    others = [override for override in known if override.key_or_group != "seed"]
+    jobs: dict[tuple[str, ...], Job] = {}
     for combination in BasicSweeper.split_arguments(others, None)[0]:
         overrides = [*combination, *config.hydra.overrides.hydra]
-        job = Job(loader.load_configuration("config", overrides, run_mode=RunMode.RUN))
-        trackers[job.tracker.where], report = job.tracker, job.report
-        maps.append((job.config["map"], job.grid))
-        if isinstance(job.tracker, MlflowTracker):
-            Parcel().addresses[job.config["tracking"]["uri"]] = job.tracker.uri
-    # Hydra would compose every job once more to see whether it is legal: 40 s of silence for 500 of them
-    BasicSweeper.validate_batch_is_legal = lambda *_: None  # type: ignore[method-assign]
+        jobs[tuple(combination)] = Job(loader.load_configuration("config", overrides, run_mode=RunMode.RUN))
+    trackers = {job.tracker.where: job.tracker for job in jobs.values()}
     for tracker in trackers.values():
         tracker.prepare()
-    folder = _fix_folder(config)
-    Parcel().pack(folder, maps)
-    if report is None:
-        total = len(BasicSweeper.split_arguments(parsed, None)[0]) if basic else None
-        sweep.begin(folder, total, ", ".join(trackers))
+    where, folder = ", ".join(trackers), _fix_folder(config)
+    _pack(folder, jobs.values())
+    if any(job.report is not None for job in jobs.values()):
+        return
+    if basic:
+        _leave_out_what_is_there(jobs, parsed, folder, where)
+    else:
+        sweep.begin(folder, None, where)
 
 
 def _fix_folder(config: DictConfig) -> Path:
@@ -95,11 +105,42 @@ def _fix_folder(config: DictConfig) -> Path:
     return folder
 
 
-def _values(override: Override) -> list[str]:
-    if override.is_sweep_override():
-        return list(override.sweep_string_iterator())
-    return [override.get_value_element_as_str()]
+def _pack(folder: Path, jobs: Iterable[Job]) -> None:
+    """Put together what workers need."""
+    parcel = Parcel()
+    parcel.pack(folder, [(job.config["map"], job.setup.grid) for job in jobs])
+    for job in jobs:
+        if isinstance(job.tracker, MlflowTracker):
+            parcel.addresses[job.config["tracking"]["uri"]] = job.tracker.store.uri
 
 
-def _check_seed_text(text: str) -> None:
-    check_seed(int(text) if re.fullmatch("0|[1-9][0-9]*", text) else text)
+def _leave_out_what_is_there(
+    jobs: dict[tuple[str, ...], Job], parsed: list[Override], folder: Path, where: str
+) -> None:
+    """Let the sweeper run only the jobs whose results are not in the store."""
+    in_store = {job.setup.cell: job.tracker.find(job.setup.cell) for job in jobs.values() if job.resume}
+    missing, there, found, total = [], [], 0, 0
+    for arguments in BasicSweeper.split_arguments(parsed, None)[0]:
+        job = jobs[tuple(a for a in arguments if not a.startswith("seed="))]
+        seed = next((a.removeprefix("seed=") for a in arguments if a.startswith("seed=")), str(job.seed))
+        identity = job.setup.identity(seed if job.seeds is None else job.seeds)
+        run = in_store.get(job.setup.cell, {}).get(identity)
+        total += job.trials
+        if run is None:
+            missing.append(arguments)
+        else:
+            there.append(record_of(job.setup, run))
+            found += job.trials
+    if found:
+        print(f"acoexp: {found} of {total} trials found in the store", file=sys.stderr)
+    batches = [missing] if missing else []
+    BasicSweeper.split_arguments = staticmethod(lambda *_: batches)  # type: ignore
+    # Hydra would compose every job once more to see whether it is legal: 40 s of silence for 500 of them
+    BasicSweeper.validate_batch_is_legal = lambda *_: None  # type: ignore[method-assign]
+    sweep.begin(folder, total, where, there, found)
+
+
+def _check_seeds(override: Override) -> None:
+    sweeps = override.is_sweep_override()
+    for text in override.sweep_string_iterator() if sweeps else [override.get_value_element_as_str()]:
+        check_seed(int(text) if re.fullmatch("0|[1-9][0-9]*", text) else text)

@@ -5,12 +5,14 @@ from __future__ import annotations
 import sys
 import threading
 import time
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from acoexp.command import summary
+from acoexp.command import outcome, summary
 
 _LOOK_EVERY = 0.2
 
@@ -18,9 +20,12 @@ _LOOK_EVERY = 0.2
 class _Sweep:
     """Counts finished trials by their files, so it needs no word from where they run."""
 
-    def __init__(self, folder: Path, jobs: int | None, where: str) -> None:
-        self.folder, self.jobs, self.where = folder.absolute(), jobs, where
-        self.there_before = summary.finished(self.folder)
+    def __init__(
+        self, folder: Path, trials: int | None, where: str, there: Sequence[Mapping[str, Any]], found: int
+    ) -> None:
+        self.folder, self.trials, self.where = folder.absolute(), trials, where
+        self.there, self.found = there, found
+        self.there_before = outcome.finished(self.folder)
         self.began = time.perf_counter()
         self.stopped = threading.Event()
         self.thread = threading.Thread(target=self._show, daemon=True)
@@ -30,29 +35,45 @@ class _Sweep:
         columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
         console = Console(file=sys.stderr)
         with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
-            task = progress.add_task("trials", total=self.jobs)
+            task = progress.add_task("trials", total=self.trials)
             while not self.stopped.wait(_LOOK_EVERY) and console.is_terminal:
-                progress.update(task, completed=len(self.finished()))
+                done = outcome.trials_done(self.folder, self.finished())
+                progress.update(task, completed=self.found + done)
 
     def finished(self) -> list[Path]:
         """Return the records written since the sweep began; its folder may have been used before."""
-        return [
-            file for file, time in summary.finished(self.folder).items() if self.there_before.get(file) != time
-        ]
+        now = outcome.finished(self.folder)
+        return [file for file, time in now.items() if self.there_before.get(file) != time]
 
     def end(self) -> None:
         self.stopped.set()
         self.thread.join()
         seconds = time.perf_counter() - self.began
-        summary.print_sweep(self.folder, self.finished(), self.jobs, self.where, seconds)
+        records = [outcome.read(file) for file in self.finished()]
+        done = sum(record.get("trials", 1) for record in records)
+        of_all = "" if self.trials is None else f" of {self.trials}"
+        ended = f"{done}{of_all} trials finished in {seconds:.1f} s"
+        if self.found:
+            ended += f", {self.found} found in the store"
+        summary.print_sweep([*self.there, *records], self.folder, self.where, ended)
 
 
 _current: list[_Sweep] = []
 
 
-def begin(folder: Path, jobs: int | None, where: str) -> None:
-    """Begin to watch a sweep of so many jobs (None: nobody knows), whose folders appear under ``folder``."""
-    _current.append(_Sweep(folder, jobs, where))
+def begin(
+    folder: Path, trials: int | None, where: str, there: Sequence[Mapping[str, Any]] = (), found: int = 0
+) -> None:
+    """Begin to watch a sweep.
+
+    Args:
+        folder: Where its jobs' folders appear.
+        trials: How many trials it is, or None if nobody knows.
+        where: Where its results go.
+        there: Records of what was found in the store.
+        found: How many trials these are.
+    """
+    _current.append(_Sweep(folder, trials, where, there, found))
 
 
 def finish() -> None:

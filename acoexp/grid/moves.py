@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, get_args
+from typing import Literal, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,9 +25,11 @@ MoveRule = Literal["free", "no_squeeze", "no_cut"]
 
 MOVE_RULES: tuple[str, ...] = get_args(MoveRule)
 
+Count = TypeVar("Count", float, NDArray[np.float64])
 
-def path_length(straight: float, diagonal: float) -> float:
-    """Return the length of a path of so many straight and diagonal moves.
+
+def path_length(straight: Count, diagonal: Count) -> Count:
+    """Return the length of a path of so many straight and diagonal moves, or those of several.
 
     Two different pairs never give the same float below some 10^7 moves, and equal pairs always do, so
     lengths made here may be compared exactly.

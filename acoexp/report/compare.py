@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
 
 from acoexp import registry
 from acoexp.errors import AcoexpError, SettingsError
 from acoexp.grid import Grid
-from acoexp.parameters import build, parameter
+from acoexp.parameters import parameter
 from acoexp.report import render
 from acoexp.report.cell import Cell, parse_cells
 from acoexp.report.context import Context
 from acoexp.report.measures import Row, Sample, cell_row, pair_rows
 from acoexp.report.report import Report, written_whole
 from acoexp.report.tables import number, tables_of
+from acoexp.seeds import parse_seeds
 
 _TITLE = "Comparison of ant colonies"
 
@@ -43,8 +43,9 @@ class Compare(Report):
     def write(self, context: Context) -> Path:
         """Run all cells on all maps and write the report."""
         cells, grids = self._cells(context), self._grids(context)
+        seeds = parse_seeds(f"0-{self.trials - 1}")
         samples = [
-            Sample.of(cell.label, context.run(cell.settings, grid, range(self.trials)))
+            Sample.of(cell.label, grid, context.run(cell.settings, grid, seeds, f"{cell.label} on {grid.name}"))
             for grid in grids
             for cell in cells
         ]
@@ -101,7 +102,7 @@ class Compare(Report):
             "version": version("acoexp"),
             "trials": self.trials,
             "maps": {grid.name: {"digest": grid.digest, "optimum": grid.optimum} for grid in grids},
-            "configurations": {cell.label: _settings(cell) for cell in cells},
+            "configurations": {cell.label: cell.settings.as_dict() for cell in cells},
         }
 
 
@@ -112,13 +113,7 @@ def _short(row: dict[str, str]) -> list[str]:
 
 def _load(name: str) -> Grid:
     try:
-        grid: Grid = build(registry.find("map", name), {}, "map.").load()
+        grid: Grid = registry.build_part("map", name, {}).load()
     except AcoexpError as problem:
         raise type(problem)(f"report.maps: {name!r}: {problem}") from problem
     return grid
-
-
-def _settings(cell: Cell) -> dict[str, Any]:
-    settings = cell.settings
-    parts = {group: {"name": settings.names[group], **asdict(part)} for group, part in settings.parts.items()}
-    return {**asdict(settings.scalars), "field": asdict(settings.field), **parts}

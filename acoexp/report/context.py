@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import asdict, dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from acoexp.grid import Grid
-from acoexp.result import Result
+from acoexp.parameters import values_of
+from acoexp.seeds import Seeds
 from acoexp.settings import Settings, resolve
-from acoexp.solver import Solver
+from acoexp.tracking.kept_batch import keep_batch
+from acoexp.tracking.setup import Setup
+from acoexp.tracking.tracker import NoTracker, Tracker
+from acoexp.trials import Trials
 
 
 @dataclass(frozen=True)
@@ -23,12 +27,20 @@ class Context:
         settings: Its settings, resolved.
         grid: Its map.
         folder: Where the report goes, ``outputs/reports/<name>``.
+        tracker: Where trials are kept, and taken from if they are there.
+        threads: How many threads run trials; None for one for each processor.
+        resume: Whether trials that the tracker has are taken from there.
+        tell: Called with a cell's name and its number of finished trials while it runs.
     """
 
     algo: str
     settings: Settings
     grid: Grid
     folder: Path
+    tracker: Tracker = field(default_factory=NoTracker)
+    threads: int | None = None
+    resume: bool = True
+    tell: Callable[[str, int], None] = lambda cell, done: None
 
     @cached_property
     def own_settings(self) -> dict[str, Any]:
@@ -46,11 +58,35 @@ class Context:
     def _preset(self) -> Settings:
         return resolve(self.algo, {})
 
-    def run(self, settings: Settings, grid: Grid, seeds: Iterable[int]) -> list[Result]:
-        """Run one trial per seed on all processors; results stand in the order of the seeds."""
-        return Solver(grid, settings).solve_many(seeds)
+    def run(self, settings: Settings, grid: Grid, seeds: Seeds, cell: str = "") -> Trials:
+        """Return the trials of a configuration on a map, in the order of their seeds.
+
+        They are kept as a batch; what is there is taken from there.
+
+        Args:
+            settings: The configuration.
+            grid: The map.
+            seeds: The seeds.
+            cell: What the cell is called while its progress is shown.
+
+        Raises:
+            StrategyError: if a trial failed.
+        """
+        portions: list[Trials] = []
+        batch = keep_batch(
+            Setup.of(settings, grid),
+            seeds,
+            self.tracker,
+            threads=self.threads,
+            resume=self.resume,
+            receive=portions.append,
+            tell=lambda done: self.tell(cell or settings.label, done),
+        )
+        for failure in batch.failures:
+            raise failure.reason
+        return Trials.joined(portions)
 
 
 def _changed(values: Any, defaults: Any) -> dict[str, Any]:
-    before = asdict(defaults)
-    return {key: value for key, value in asdict(values).items() if value != before[key]}
+    before = values_of(defaults)
+    return {key: value for key, value in values_of(values).items() if value != before[key]}

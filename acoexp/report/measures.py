@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from acoexp.grid import Grid
 from acoexp.report import statistics
 from acoexp.report.statistics import Flags, Values
-from acoexp.result import Result
+from acoexp.trials import Trials
 
 Row = dict[str, Any]
 
@@ -41,18 +42,18 @@ class Sample:
     curves: NDArray[np.float64]
 
     @classmethod
-    def of(cls, cell: str, results: Sequence[Result]) -> Sample:
-        """Return what is measured of a cell's trials."""
-        cycles = {name: _column(getattr(r, name) or np.nan for r in results) for name in ("x1", "x2", "x3")}
-        lengths = {name: _column(getattr(r, name) for r in results) for name in ("l1", "l2")}
-        lost = {"lost_ants": _column(r.lost_ants.sum() for r in results)}
+    def of(cls, cell: str, grid: Grid, trials: Trials) -> Sample:
+        """Return what is measured of a cell's trials on a map."""
+        table = trials.table
+        cycles = {name: np.where(table[name] > 0, table[name], np.nan) for name in ("x1", "x2", "x3")}
+        others = {name: table[name].astype(np.float64) for name in ("l1", "l2", "lost_ants")}
         return cls(
             cell=cell,
-            map=results[0].grid.name,
-            optimum=results[0].optimum,
-            found=np.array([r.found_optimum for r in results]),
-            features=cycles | lengths | lost,
-            curves=np.array([r.curve for r in results]),
+            map=grid.name,
+            optimum=grid.optimum,
+            found=table["l1"] == grid.optimum,
+            features=cycles | others,
+            curves=trials.curves,
         )
 
     @property
@@ -124,7 +125,3 @@ def _verdict(row: Row, p_holm: float) -> str:
     if p_holm >= SIGNIFICANCE or row["value"] == neutral:
         return "no difference shown"
     return f"{row['a'] if row['value'] > neutral else row['b']} better"
-
-
-def _column(values: Any) -> Values:
-    return np.array(list(values), dtype=np.float64)

@@ -1,5 +1,6 @@
 """Tracking: where the results of trials go. A tracker is chosen by ``tracking.name``."""
 
-from acoexp.tracking.tracker import NoTracker, Tracker, Trial, open_tracker
+from acoexp.tracking.setup import Setup, Trial
+from acoexp.tracking.tracker import Found, NoTracker, Tracker, open_tracker
 
-__all__ = ["NoTracker", "Tracker", "Trial", "open_tracker"]
+__all__ = ["Found", "NoTracker", "Setup", "Tracker", "Trial", "open_tracker"]

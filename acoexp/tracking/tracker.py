@@ -2,49 +2,51 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any, Protocol
+from collections.abc import Iterable, Mapping
+from typing import Any, NamedTuple, Protocol
 
 from acoexp.errors import SettingsError
 from acoexp.parameters import REQUIRED
-from acoexp.result import Result
-
-_NOT_OF_THE_TRIAL = ("tracking", "report")
-"""Parts of a configuration on which no result depends; an address may also hold a password."""
-
-
-@dataclass(frozen=True)
-class Trial:
-    """A finished trial and the configuration that it came from.
-
-    Attributes:
-        result: What was found.
-        config: The resolved configuration, nested.
-    """
-
-    result: Result
-    config: Mapping[str, Any]
-
-    @cached_property
-    def params(self) -> dict[str, str]:
-        """The configuration, flattened: ``diffusion.gamma`` and so on, in order."""
-        trial = {key: value for key, value in self.config.items() if key not in _NOT_OF_THE_TRIAL}
-        return {**dict(flatten(trial)), "algo": self.result.algo}
-
-    @cached_property
-    def cell(self) -> str:
-        """A fingerprint of the configuration without the seed, the same for all trials to be averaged."""
-        cell = {key: value for key, value in self.params.items() if key != "seed"}
-        content = json.dumps([cell, self.result.grid.digest], sort_keys=True)
-        return hashlib.sha256(content.encode()).hexdigest()[:16]
-
+from acoexp.seeds import Seeds
+from acoexp.tracking.setup import Setup, Trial
+from acoexp.trials import Aggregates, Trials
 
 _IN_MEMORY = re.compile(r"^sqlite[^:]*:/*(\?|$)|:memory:|mode=memory")
+
+
+class Found(NamedTuple):
+    """A finished run that is in the store: a trial or a batch.
+
+    Attributes:
+        trials: How many trials it is of.
+        metrics: Its metrics, by name.
+        params: Its configuration, flattened.
+    """
+
+    trials: int
+    metrics: Mapping[str, float]
+    params: Mapping[str, str]
+
+
+class BatchLog(Protocol):
+    """A batch that is being kept."""
+
+    def keep(self, portion: Trials) -> None:
+        """Keep a portion of finished trials, for good."""
+
+    def finish(self, summary: Aggregates, curve: Any, table: Iterable[str], failed: Mapping[int, str]) -> None:
+        """Keep the aggregates and the table, and say that the batch has ended.
+
+        Args:
+            summary: The aggregates of all finished trials.
+            curve: Mean of the best length found in each cycle, float[iterations].
+            table: The lines of the table of trials.
+            failed: Why trials failed, by their seed; a batch with any has failed.
+        """
+
+    def abandon(self, reason: str) -> None:
+        """Say that the batch will not be finished; what was kept stays."""
 
 
 class Tracker(Protocol):
@@ -54,18 +56,37 @@ class Tracker(Protocol):
     """What to tell a person about where results lie."""
 
     def prepare(self) -> None:
-        """Create the store if it is not there; called once, before any trial.
+        """Create the store if it is not there, and close what killed processes left open; before any trial.
 
         Raises:
             TrackingError: if it cannot be reached or written.
         """
 
-    def log(self, trial: Trial) -> None:
+    def find(self, cell: str) -> dict[str, Found]:
+        """Return the finished runs of a cell, each under its identity."""
+
+    def has(self, identity: str) -> bool:
+        """Tell whether there is a finished run of an identity."""
+
+    def find_trials(self, cell: str, seeds: Seeds) -> list[Trials]:
+        """Return trials of a cell that were kept in batches, finished or not, each at most once."""
+
+    def log(self, trial: Trial, *, anew: bool = False) -> None:
         """Keep one trial, whole or not at all.
+
+        Args:
+            trial: The trial.
+            anew: Whether it takes the place of the same trial that is there, instead of leaving it.
 
         Raises:
             TrackingError: if it cannot be kept.
         """
+
+    def log_failure(self, setup: Setup, seed: int, reason: str) -> None:
+        """Keep that a trial failed, and why."""
+
+    def begin(self, setup: Setup, seeds: Seeds, *, anew: bool = False) -> BatchLog:
+        """Begin to keep a batch."""
 
 
 class NoTracker:
@@ -76,8 +97,38 @@ class NoTracker:
     def prepare(self) -> None:
         """Do nothing."""
 
-    def log(self, trial: Trial) -> None:
+    def find(self, cell: str) -> dict[str, Found]:
+        """Find nothing."""
+        return {}
+
+    def has(self, identity: str) -> bool:
+        """Say no."""
+        return False
+
+    def find_trials(self, cell: str, seeds: Seeds) -> list[Trials]:
+        """Find nothing."""
+        return []
+
+    def log(self, trial: Trial, *, anew: bool = False) -> None:
         """Do nothing."""
+
+    def log_failure(self, setup: Setup, seed: int, reason: str) -> None:
+        """Do nothing."""
+
+    def begin(self, setup: Setup, seeds: Seeds, *, anew: bool = False) -> BatchLog:
+        """Return a log that keeps nothing."""
+        return _NoLog()
+
+
+class _NoLog:
+    def keep(self, portion: Trials) -> None:
+        pass
+
+    def finish(self, summary: Aggregates, curve: Any, table: Iterable[str], failed: Mapping[int, str]) -> None:
+        pass
+
+    def abandon(self, reason: str) -> None:
+        pass
 
 
 def open_tracker(config: Mapping[str, Any]) -> Tracker:
@@ -86,7 +137,7 @@ def open_tracker(config: Mapping[str, Any]) -> Tracker:
     Raises:
         SettingsError: if its name is unknown, a key is, or the address is not a text.
     """
-    from acoexp.tracking.mlflow_store import MlflowTracker
+    from acoexp.tracking.mlflow_tracker import MlflowTracker
 
     allowed = {"none": {"name"}, "mlflow": {"name", "uri"}}
     name = config.get("name")
@@ -96,16 +147,15 @@ def open_tracker(config: Mapping[str, Any]) -> Tracker:
         raise SettingsError(f"tracking.{key} is not a known key of tracking={name}")
     if name == "none":
         return NoTracker()
-    uri = config.get("uri")
+    return MlflowTracker(check_uri(config.get("uri")))
+
+
+def check_uri(uri: Any) -> str:
+    """Return the address of a store that lasts.
+
+    Raises:
+        SettingsError: if it is none.
+    """
     if not isinstance(uri, str) or uri in ("", REQUIRED) or _IN_MEMORY.search(uri):
         raise SettingsError(f"tracking.uri: expected the address of an MLflow store that lasts; got {uri!r}")
-    return MlflowTracker(uri)
-
-
-def flatten(config: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, str]]:
-    """Yield ``(dotted key, value as text)`` for every leaf of a nested configuration."""
-    for key, value in config.items():
-        if isinstance(value, Mapping):
-            yield from flatten(value, f"{prefix}{key}.")
-        else:
-            yield f"{prefix}{key}", str(value)
+    return uri

@@ -70,7 +70,6 @@ def test_a_range_stands_for_all_its_whole_numbers(written: str, numbers: str) ->
         "seed=-1",
         "seed=a-b",
         "seed=range(0,3)",
-        "seeds=0-9",  # one batch, not ten jobs
         "map.path=1-3",
         "map.path=a-b",
         "rho=0-1",
@@ -166,3 +165,25 @@ def test_what_runs_nothing_needs_no_folder(flag: list[str]) -> None:
 def test_an_override_that_cannot_be_read_is_refused() -> None:
     with pytest.raises(SettingsError, match="seed"):
         normalise(["seed"])
+
+
+@pytest.mark.parametrize(
+    ("written", "one_text"),
+    [("seeds=0-9", "seeds='0-9'"), ("seeds=20,0-9", "seeds='0-9,20'"), ("seeds='3,4'", "seeds='3-4'")],
+)
+@pytest.mark.parametrize("flags", [[], ["-m"]])
+def test_the_seeds_of_a_batch_are_never_several_jobs(written: str, one_text: str, flags: list[str]) -> None:
+    assert overrides(written, *flags)[0] == one_text
+
+
+@pytest.mark.parametrize(
+    "written", ["seeds=range(0,9)", "seeds=-3", "seeds=9-0", "seeds=1,1", "seeds=", "seeds=[1]"]
+)
+def test_seeds_that_are_none_are_refused(written: str) -> None:
+    with pytest.raises(SettingsError, match=r"^seeds: expected"):
+        normalise([written, "-m"])
+
+
+def test_a_seed_and_seeds_together_are_refused() -> None:
+    with pytest.raises(SettingsError, match=r"expected seed .* or seeds .*; got seed=3 and seeds='0-9'"):
+        normalise(["seed=3", "seeds=0-9"])

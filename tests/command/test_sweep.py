@@ -73,13 +73,17 @@ def sweep(home: Path) -> Sweep:
 
 @pytest.fixture(scope="module")
 def again(home: Path, sweep: Sweep) -> Sweep:
-    """Run the same seeds once more, said in another order."""
-    return run_sweep(home, "seed=0-4,5-9", "--multirun", "map=env2", "algo=pdg")
+    """Run the same seeds once more, said in another order, and all of them though they are there."""
+    return run_sweep(home, "seed=0-4,5-9", "--multirun", "map=env2", "algo=pdg", "resume=false")
 
 
 def test_each_seed_has_one_finished_run(sweep: Sweep) -> None:
     assert sorted(sweep.runs) == list(range(10))
     assert {run.info.status for run in sweep.runs.values()} == {"FINISHED"}
+
+
+def test_runs_made_anew_take_the_place_of_the_old_ones(home: Path, again: Sweep) -> None:
+    assert {run.info.run_id for run in runs_in(home)} == {run.info.run_id for run in again.runs.values()}
 
 
 def test_each_run_has_all_metrics_and_the_whole_curve(sweep: Sweep) -> None:

@@ -52,7 +52,7 @@ def test_a_sweep_on_an_engine(engine: str, request: pytest.FixtureRequest, tmp_p
 
 def test_a_study(tmp_path: Path) -> None:
     pytest.importorskip("hydra_plugins.hydra_optuna_sweeper")
-    assert "12 trials finished" in run(block("optuna"), tmp_path, {})
+    assert "240 trials finished" in run(block("optuna"), tmp_path, {})
 
 
 def test_a_database_then_a_server_on_it(fresh_database: Callable[[str], str], tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from mlflow import MlflowClient
 from PIL import Image
 from running import environment, listing, refusal, run_acoexp
 
@@ -47,10 +48,22 @@ def folder(home: Path) -> Path:
     return home / "outputs/reports/compare"
 
 
-def test_it_leaves_a_report_and_neither_trials_nor_a_store(home: Path, folder: Path) -> None:
+def test_it_leaves_a_report_and_its_batches_in_the_store(home: Path, folder: Path) -> None:
     assert listing(folder) == FILES
     assert listing(folder.parent) == {"compare", *(f"compare/{name}" for name in FILES)}
-    assert not list(home.rglob("trial.json")) + list(home.rglob("mlflow.db"))
+    client = MlflowClient(f"sqlite:///{home}/outputs/mlflow.db")
+    runs = client.search_runs([client.get_experiment_by_name("acoexp").experiment_id])
+    assert sorted((run.data.params["map.name"], run.data.params["ants"]) for run in runs) == [
+        ("env2", "2"), ("env2", "3"), ("fig13", "2"), ("fig13", "3"),
+    ]  # fmt: skip
+    assert {(run.data.params["seeds"], run.data.metrics["trials"]) for run in runs} == {("0-2", 3.0)}
+
+
+def test_written_again_it_takes_its_trials_from_the_store_and_is_the_same(home: Path, folder: Path) -> None:
+    before = {name: (folder / name).read_bytes() for name in FILES - {"curves.png", "curves.svg", "index.html"}}
+    ended = run_acoexp(CELLS, "report.maps=[fig13,env2]", *SMALL, cwd=home)
+    assert ended.stderr.count("3 of 3 trials found in the store") == 4
+    assert {name: (folder / name).read_bytes() for name in before} == before
 
 
 def test_it_prints_a_short_table_and_where_the_report_lies(home: Path) -> None:

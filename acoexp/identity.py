@@ -1,0 +1,48 @@
+"""Identity: what a result depends on, as digests. Two trials of one identity find the same, bit for bit.
+
+That is the resolved settings, the map, the seed, and the code that takes part: acoexp's own below the command
+line, and the whole top-level package of each other part. Processors are not in it, so a trial that another
+machine ran is the same trial.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from functools import cache
+
+import numba
+import numpy as np
+
+from acoexp.colony.cache import digest_of_sources
+from acoexp.grid import Grid
+from acoexp.settings import Settings
+
+_OWN_PACKAGE = __name__.partition(".")[0]
+_TAKES_PART = ("colony", "grid", "strategies", "features.py", "field.py", "result.py", "solver.py")
+
+
+def cell_identity(settings: Settings, grid: Grid) -> str:
+    """Return the identity of all trials of one configuration on one map: everything but the seed."""
+    packages = {type(part).__module__.partition(".")[0] for part in settings.parts.values()}
+    code = [_code(package) for package in sorted(packages | {_OWN_PACKAGE})]
+    return _digest([settings.as_dict(), grid.name, grid.digest, code, numba.__version__, np.__version__])
+
+
+def trial_identity(cell: str, seeds: object) -> str:
+    """Return the identity of one trial of a cell, or of a batch of them.
+
+    Args:
+        cell: The cell's identity.
+        seeds: The trial's seed, or the batch's seeds.
+    """
+    return _digest([cell, str(seeds)])
+
+
+@cache
+def _code(package: str) -> str | None:
+    return digest_of_sources(package, only=_TAKES_PART if package == _OWN_PACKAGE else None)
+
+
+def _digest(content: object) -> str:
+    return hashlib.sha256(json.dumps(content, sort_keys=True, default=str).encode()).hexdigest()[:32]

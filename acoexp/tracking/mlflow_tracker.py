@@ -1,0 +1,217 @@
+"""MLflow as the store: experiment ``acoexp``, one run per trial, or one per batch with a table of its trials."""
+
+from __future__ import annotations
+
+import logging
+import math
+import tempfile
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.result import Result
+from acoexp.seeds import Seeds, parse_seeds
+from acoexp.tracking.owner import is_dead
+from acoexp.tracking.run import ALIVE, CELL, IDENTITY, KIND, OWNER, RunWriter, mark_ended, tags_of
+from acoexp.tracking.setup import Setup, Trial
+from acoexp.tracking.store import EXPERIMENT, Store
+from acoexp.tracking.tracker import BatchLog, Found
+from acoexp.trials import Aggregates, Trials
+
+if TYPE_CHECKING:
+    from mlflow.entities import Metric, Run
+
+log = logging.getLogger(__name__)
+
+SILENT_FOR = 600.0
+"""Seconds without a sign of life after which a run that another machine began is taken for left behind."""
+_LONGEST_NAME = 250
+ARCHIVES = "trials"
+"""Folder of a batch's artifacts that holds its trials with their curves, a file for each portion."""
+
+
+class MlflowTracker:
+    """Keeps trials in the MLflow store at an address."""
+
+    def __init__(self, uri: str) -> None:
+        self.store = Store(uri)
+        self.where = f"MLflow experiment {EXPERIMENT!r} at {self.store.shown}"
+
+    def prepare(self) -> None:
+        """Create the store and the experiment if they are not there; close the runs that were left behind.
+
+        Raises:
+            TrackingError: if the store cannot be reached or written.
+        """
+        self.store.prepare()
+        self.store.patiently(self._close_left_behind, "cannot be opened")
+
+    def find(self, cell: str) -> dict[str, Found]:
+        """Return the finished runs of a cell, each under its identity."""
+        condition = f"tags.{CELL} = '{cell}' and attributes.status = 'FINISHED'"
+        runs = self.store.patiently(lambda: self.store.search(condition), "cannot be searched")
+        return {run.data.tags[IDENTITY]: _found(run) for run in runs if IDENTITY in run.data.tags}
+
+    def has(self, identity: str) -> bool:
+        """Tell whether there is a finished run of an identity."""
+        condition = f"tags.{IDENTITY} = '{identity}' and attributes.status = 'FINISHED'"
+        return bool(self.store.patiently(lambda: self.store.search(condition), "cannot be searched"))
+
+    def find_trials(self, cell: str, seeds: Seeds) -> list[Trials]:
+        """Return trials of a cell that were kept in batches, finished or not, each at most once."""
+        runs = self.store.patiently(lambda: self.store.search(f"tags.{CELL} = '{cell}'"), "cannot be searched")
+        wanted, found = seeds.array(), []
+        for run in runs:
+            if run.data.tags.get(KIND) == "batch" and _may_hold(run, wanted):
+                for portion in self._portions(run.info.run_id):
+                    new = portion.among(wanted)
+                    if len(new):
+                        found.append(new)
+                        wanted = np.setdiff1d(wanted, new.seeds)
+        return found
+
+    def log(self, trial: Trial, *, anew: bool = False) -> None:
+        """Keep one trial as one run, unless it is there.
+
+        Args:
+            trial: The trial.
+            anew: Whether it takes the place of the same trial that is there.
+
+        Raises:
+            TrackingError: if the store does not take it; the run is then marked as failed.
+        """
+        if not anew and self.has(trial.identity):
+            return
+        writer = self._writer(trial.setup, "seed", trial.result.seed, anew)
+        try:
+            writer.begin(list(_metrics(trial.result)))
+            writer.finish()
+        except BaseException:
+            writer.give_up()
+            raise
+
+    def log_failure(self, setup: Setup, seed: int, reason: str) -> None:
+        """Keep that a trial failed, and why."""
+        writer = self._writer(setup, "seed", seed, anew=False)
+        writer.begin()
+        writer.end("FAILED", reason)
+
+    def begin(self, setup: Setup, seeds: Seeds, *, anew: bool = False) -> BatchLog:
+        """Begin to keep a batch as one run."""
+        writer = self._writer(setup, "seeds", seeds, anew)
+        writer.begin()
+        return _BatchRun(writer, setup.grid.optimum)
+
+    def _writer(self, setup: Setup, key: str, seeds: object, anew: bool) -> RunWriter:
+        name = f"{setup.settings.label} {setup.grid.name} {key} {seeds}"[:_LONGEST_NAME]
+        tags = {**tags_of(setup), IDENTITY: setup.identity(seeds), KIND: "trial" if key == "seed" else "batch"}
+        return RunWriter(self.store, name, {**setup.params, key: str(seeds)}, tags, anew=anew)
+
+    def _portions(self, run_id: str) -> Iterator[Trials]:
+        client = self.store.client
+        with tempfile.TemporaryDirectory() as folder:
+            for artifact in client.list_artifacts(run_id, ARCHIVES):
+                file = Path(client.download_artifacts(run_id, artifact.path, folder))
+                try:
+                    yield Trials.from_bytes(file.read_bytes())
+                except ValueError:
+                    log.warning("run %s: %s is damaged and is left out", run_id, artifact.path)
+
+    def _close_left_behind(self) -> None:
+        """Mark runs as failed that no process writes any more."""
+        for run in self.store.search("attributes.status = 'RUNNING'"):
+            tags = run.data.tags
+            if OWNER not in tags:
+                continue
+            dead = is_dead(tags[OWNER])
+            silent = time.time() - float(tags.get(ALIVE, run.info.start_time)) / 1000.0 > SILENT_FOR
+            if dead or (dead is None and silent):
+                mark_ended(self.store, run.info.run_id, "FAILED", "left behind by a process that was killed")
+
+
+class _BatchRun:
+    """A batch that is being kept as a run."""
+
+    def __init__(self, writer: RunWriter, optimum: float) -> None:
+        self._writer, self._optimum, self._portions = writer, optimum, 0
+
+    def keep(self, portion: Trials) -> None:
+        """Keep a portion of finished trials as an artifact."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / f"{self._portions:05}.npz"
+            file.write_bytes(portion.to_bytes())
+            self._writer.log_file(file, ARCHIVES)
+        self._portions += 1
+        self._writer.show_life()
+
+    def finish(
+        self, summary: Aggregates, curve: NDArray[np.float64], table: Iterable[str], failed: Mapping[int, str]
+    ) -> None:
+        """Keep the aggregates and the table, and end the run."""
+        self._writer.log_metrics(list(_batch_metrics(summary, curve, len(failed), self._optimum)))
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "trials.csv"
+            with file.open("w", encoding="utf-8") as lines:
+                lines.writelines(f"{line}\n" for line in table)
+            self._writer.log_file(file, None)
+        if not failed:
+            return self._writer.finish()
+        self._writer.log_text("".join(f"{seed}: {why}\n" for seed, why in failed.items()), "failed.txt")
+        return self._writer.end("FAILED", f"{len(failed)} trials failed: {next(iter(failed.values()))}")
+
+    def abandon(self, reason: str) -> None:
+        """End the run as failed; what was kept stays."""
+        self._writer.end("FAILED", reason)
+
+
+def _may_hold(run: Run, wanted: NDArray[np.uint64]) -> bool:
+    """Tell whether a batch may hold trials of these seeds; a list of seeds too long for a parameter may."""
+    seeds = run.data.params.get("seeds")
+    return seeds is None or bool(np.intersect1d(wanted, parse_seeds(seeds).array()).size)
+
+
+def _found(run: Run) -> Found:
+    metrics = run.data.metrics
+    return Found(int(metrics.get("trials", 1)), metrics, run.data.params)
+
+
+def _metrics(result: Result) -> Iterator[Metric]:
+    values: dict[str, float] = {
+        **{name: getattr(result, name) or math.nan for name in ("x1", "x2", "x3")},
+        **{name: getattr(result, name) for name in ("l1", "l2", "optimum")},
+        "lost_ants": float(result.lost_ants.sum()),
+    }
+    yield from _points(values, result.curve)
+
+
+def _batch_metrics(
+    summary: Aggregates, curve: NDArray[np.float64], failed: int, optimum: float
+) -> Iterator[Metric]:
+    values: dict[str, float] = {
+        **summary.means,
+        **{f"{name}_sd": value for name, value in summary.deviations.items()},
+        "optimum": optimum,
+        "trials": summary.trials,
+        "never_arrived": summary.never_arrived,
+        "failed": failed,
+        "success_rate": summary.success_rate,
+        "expected_cycles": summary.expected_cycles,
+    }
+    yield from _points(values, curve)
+
+
+def _points(values: Mapping[str, float], curve: NDArray[np.float64]) -> Iterator[Metric]:
+    """Yield metrics, and the curve with the cycle as its step; nothing for what is undefined."""
+    from mlflow.entities import Metric
+
+    now = int(time.time() * 1000)
+    for key, value in values.items():
+        if not math.isnan(value):
+            yield Metric(key, value, now, 0)
+    for cycle, length in enumerate(curve.tolist(), 1):
+        if not math.isnan(length):
+            yield Metric("best_length", length, now, cycle)
