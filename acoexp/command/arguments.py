@@ -174,7 +174,9 @@ def _refuse_nothing(override: str) -> None:
     key, _, value = override.lstrip("+~").partition("=")
     if not key:
         raise SettingsError(f"{override}: expected key=value")
-    if key in (*registry.GROUPS, "algo", "tracking") and (value.lower() in ("", "null") or value[0] == "["):
+    if key in (*registry.GROUPS, "algo", "tracking", "engine") and (
+        value.lower() in ("", "null") or value[0] == "["
+    ):
         raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
 
 

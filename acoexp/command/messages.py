@@ -5,6 +5,14 @@ from __future__ import annotations
 import re
 import sys
 
+_EXTRAS = {
+    "hydra/launcher/joblib": ("engine", "joblib"),
+    "hydra/launcher/submitit_slurm": ("engine", "slurm"),
+    "hydra/launcher/ray": ("engine", "ray"),
+    "hydra/sweeper/optuna": ("hydra/sweeper", "optuna"),
+}
+"""What comes with an extra: its group, and the name that it and the extra have."""
+
 
 def print_error(problem: Exception) -> None:
     """Print an error as one line."""
@@ -17,6 +25,10 @@ def in_one_line(problem: Exception) -> str:
     unknown = re.match(r"Could not override '([^']+)'", text)
     if unknown:
         return f"{unknown[1]} is not a known key; --help lists the keys, --cfg job shows the settings"
+    lacking = re.search("Could not find '(hydra/(?:launcher|sweeper)/\\w+)'", text)
+    if lacking and lacking[1] in _EXTRAS:
+        group, name = _EXTRAS[lacking[1]]
+        return f"{group}: {name} needs `pip install acoexp[{name}]`"
     missing = re.match(r"In '[^']+': Could not find '([^/']+)/([^']+)' Available options in '[^']+': (.*)", text)
     if missing:
         return f"{missing[1]}: expected one of: {', '.join(missing[3].split())}; got {missing[2]!r}"
