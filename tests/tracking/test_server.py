@@ -139,8 +139,5 @@ def test_a_server_that_is_killed_and_comes_back_within_a_sweep_loses_nothing(tmp
         assert "trying again" in said[1]
         client = MlflowClient(uri)
         runs = client.search_runs([client.get_experiment_by_name("acoexp").experiment_id])
-    there = [
-        (run.data.params["algo"], int(run.data.params["seed"])) for run in runs if run.info.status == "FINISHED"
-    ]
-    assert sorted(there) == [(algo, seed) for algo in ("aco", "pd") for seed in range(15)]
-    assert len(runs) == 30
+    assert {run.info.status for run in runs} == {"FINISHED"}
+    assert sorted(int(run.data.params["seed"]) for run in runs) == list(range(20))
