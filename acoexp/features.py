@@ -30,6 +30,18 @@ class Features(NamedTuple):
     l2: float
 
 
+def x2_last(curve: NDArray[np.float64]) -> int:
+    """Return x2 of a curve, float[K], in its other reading: the last cycle that found the best length.
+
+    The published x2 lie close to x3. Where the run converges to its best length, that would be the last cycle of
+    all; there, it is x2 as :class:`Features` has it.
+    """
+    features = features_of(curve)
+    if features.x1 == 0 or features.l1 == features.l2:
+        return features.x2
+    return int(np.flatnonzero(curve == features.l1)[-1]) + 1
+
+
 def features_of(curve: NDArray[np.float64]) -> Features:
     """Return the features of a curve, float[K]."""
     if np.isnan(curve).all():

@@ -6,6 +6,7 @@ y upwards. The map's outer border is not an obstacle.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,7 +32,9 @@ class FieldSettings:
     repulsion: float = parameter(25.0, "gain K_r of the obstacles' push (Eq. 3)", minimum=0.0, maximum=1e6)
     reach: float = parameter(4.0, "distance rho_0 in cells beyond which obstacles do not push", above=0.0)
     obstacles: str = parameter(
-        "sum", "obstacle cells that push: the sum over all in reach (Eq. 4)", choices=("sum",)
+        "sum",
+        "obstacle cells that push: all in reach (Eq. 4), or the nearest alone (Eq. 3)",
+        choices=("sum", "nearest"),
     )
 
 
@@ -76,21 +79,44 @@ def _attraction(grid: Grid, gain: float) -> NDArray[np.float64]:
 
 
 def _repulsion(grid: Grid, settings: FieldSettings) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the push of all obstacle cells in reach, -grad U_rep of Eq. 3 (its cases in the right order).
+    """Return the push of the obstacle cells in reach, -grad U_rep of Eq. 3 (its cases in the right order).
 
-    And what the pushes' strengths add up to, whatever their directions.
+    And what the pushes' strengths add up to, whatever their directions. Of all in reach it is the sum; of the
+    nearest, where several are equally near, the mean.
     """
+    force, gross = np.zeros((*grid.shape, 2)), np.zeros(grid.shape)
+    nearest_only = settings.obstacles == "nearest"
+    nearest = _nearest(grid, settings.reach) if nearest_only else np.empty(0)
+    count = np.zeros(grid.shape)
+    for down, right, there in _in_reach(grid, settings.reach):
+        if nearest_only:
+            there = there & (nearest == down**2 + right**2)
+        distance = float(np.hypot(down, right))
+        strength = settings.repulsion * (1.0 / distance - 1.0 / settings.reach) / distance**2
+        force[there] += strength * np.array([-right, down]) / distance
+        gross[there] += strength
+        count[there] += 1.0
+    if nearest_only:
+        share = 1.0 / np.maximum(count, 1.0)
+        return force * share[..., None], gross * share
+    return force, gross
+
+
+def _nearest(grid: Grid, reach: float) -> NDArray[np.float64]:
+    """Return the squared distance from each cell to the nearest obstacle in reach, inf where there is none."""
+    nearest = np.full(grid.shape, np.inf)
+    for down, right, there in _in_reach(grid, reach):
+        nearest[there] = np.minimum(nearest[there], down**2 + right**2)
+    return nearest
+
+
+def _in_reach(grid: Grid, reach: float) -> Iterator[tuple[int, int, NDArray[np.bool_]]]:
+    """Yield, for each way (down, right) to a cell in reach, the cells from which it leads to an obstacle."""
     rows, cols = grid.shape
-    margin = min(int(settings.reach), max(rows, cols))
+    margin = min(int(reach), max(rows, cols))
     around = np.pad(grid.obstacles, margin)
-    force, gross = np.zeros((rows, cols, 2)), np.zeros((rows, cols))
     for down in range(-margin, margin + 1):
         for right in range(-margin, margin + 1):
-            distance = float(np.hypot(down, right))
-            if not 0.0 < distance <= settings.reach:
-                continue
-            strength = settings.repulsion * (1.0 / distance - 1.0 / settings.reach) / distance**2
-            there = around[margin + down : margin + down + rows, margin + right : margin + right + cols]
-            force[there] += strength * np.array([-right, down]) / distance
-            gross[there] += strength
-    return force, gross
+            if 0.0 < np.hypot(down, right) <= reach:
+                there = around[margin + down : margin + down + rows, margin + right : margin + right + cols]
+                yield down, right, there

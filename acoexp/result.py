@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.features import Features, features_of
+from acoexp.features import Features, features_of, x2_last
 from acoexp.grid import Grid, follow, path_length
 
 Pair = tuple[int, int]
@@ -71,6 +71,11 @@ class Result:
     def x2(self) -> int:
         """First cycle that found it twice in a row, or else the last that found it; 0 if there is none."""
         return self.features.x2
+
+    @property
+    def x2_last(self) -> int:
+        """``x2`` in its other reading: the last cycle that found the best length, where ``l2`` differs from it."""
+        return x2_last(self.curve)
 
     @property
     def x3(self) -> int:

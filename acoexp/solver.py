@@ -17,6 +17,7 @@ from acoexp.colony.cache import compile_once
 from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, Own, Record, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Colony, Trails, new_colony, new_trails
+from acoexp.colony.walk import ORDERS, Crowd, new_crowd
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
 from acoexp.grid import Grid
 from acoexp.result import Result
@@ -40,10 +41,12 @@ class Workspace(NamedTuple):
     """The memory of one worker, used for one trial after the other.
 
     Attributes:
+        crowd: The ants, where they walk together.
         to_restore: Arrays of ``own`` that kernels may write to, each with what it is before a trial.
     """
 
     colony: Colony
+    crowd: Crowd | None
     own: Own
     to_restore: list[tuple[NDArray[Any], NDArray[Any]]]
     raw: Trails
@@ -58,6 +61,7 @@ class Solver:
     def __init__(self, grid: Grid, settings: Settings) -> None:
         self.grid = grid
         self.settings = settings
+        self._order = ORDERS[settings.scalars.order]
         parts = settings.parts
         problem = Problem(grid, settings.scalars, settings.field)
         self._problem = problem
@@ -66,7 +70,7 @@ class Solver:
         self._own = Own(*(self._prepare(group) for group in Own._fields))
         self._has_post = parts["post"].kernel is not None
         kernels = {group: parts[group].kernel for group in Own._fields}
-        self._loop = _loop(*kernels.values())
+        self._loop = _loop(self._order, *kernels.values())
         self._compile(kernels)
         problem.__dict__.pop("field", None)  # 17 bytes per cell that nobody needs any more
 
@@ -196,7 +200,7 @@ class Solver:
 
     def _run(self, workspace: Workspace, record: Record, seed: np.uint64) -> int:
         w = workspace
-        arguments = (w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed)
+        arguments = (w.colony, w.crowd, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed)
         if hasattr(self._loop, "signatures"):
             return int(self._loop(*arguments))
         with np.errstate(over="ignore"):  # without the JIT; uint64 wraps around on purpose
@@ -205,9 +209,9 @@ class Solver:
     def _compile(self, kernels: dict[str, Any]) -> None:
         w = self._new_workspace(np.zeros(1, dtype=np.uint8))
         record = _new_record(1)
-        example = (w.colony, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, np.uint64(0))
+        example = (w.colony, w.crowd, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, np.uint64(0))
         try:
-            compile_once(self._loop, tuple(kernels.values()), example)
+            compile_once(self._loop, (self._order, *kernels.values()), example)
         except AcoexpError:
             raise
         except Exception as problem:
@@ -220,6 +224,7 @@ class Solver:
             own = Own(*(_copied(state) for state in self._own))
             return Workspace(
                 colony=new_colony(self._problem, self._desirability, stop),
+                crowd=new_crowd(ants, cells) if self._order is ORDERS["lock_step"] else None,
                 own=own,
                 to_restore=list(zip(_writable(own), _writable(self._own), strict=True)),
                 raw=raw,
@@ -261,6 +266,8 @@ class Solver:
         initial = self._per_move("update", "initial", self._problem.allowed_edges())
         if initial.strides == (0, 0, 0):  # one level, broadcast
             return initial[0, 0, :1].copy()
+        if self.settings.scalars.pheromone == "cells":
+            initial = self._problem.shared_by_target(initial)
         return self._problem.per_edge(initial, border=0.0)
 
     def _per_move(self, group: str, method: str, allowed: NDArray[np.bool_]) -> NDArray[np.float64]:

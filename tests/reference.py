@@ -7,6 +7,8 @@ are E, NE, N, NW, W, SW, S, SE, so even ones are straight and odd ones diagonal.
 from __future__ import annotations
 
 import math
+from collections import deque
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
 from typing import Any
@@ -19,8 +21,10 @@ Vector = tuple[float, float]
 """As (right, up)."""
 Moves = dict[Cell, dict[int, Cell]]
 """By cell and direction: where that move leads. Moves that are not allowed are not there."""
-Levels = dict[tuple[Cell, int], float]
-"""Something on every edge (cell, direction)."""
+Edge = tuple[Cell, int]
+"""A cell and a direction."""
+Levels = dict[Edge, float]
+"""Something on every edge."""
 
 STEPS = [(0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0), (1, 1)]
 ROOT2 = math.sqrt(2)
@@ -46,6 +50,10 @@ class Colony:
     attraction: float = 1.0
     repulsion: float = 25.0
     reach: float = 4.0
+    pheromone: str = "edges"
+    order: str = "in_turn"
+    source: str = "force_edge"
+    obstacles: str = "sum"
 
 
 @dataclass
@@ -83,6 +91,24 @@ def _rotated(word: int, left: int) -> int:
     return (word << left | word >> 64 - left) % 2**64
 
 
+class Pheromone:
+    """A level for each edge, or for each cell: then an edge has the level of the cell that it leads to."""
+
+    def __init__(self, moves: Moves, lies_on: str, level: float) -> None:
+        edges = {(cell, d): target for cell, ways in moves.items() for d, target in ways.items()}
+        self.place: dict[Edge, Any] = {e: {"edges": e, "cells": target}[lies_on] for e, target in edges.items()}
+        self.levels = dict.fromkeys(self.place.values(), level)
+
+    def __contains__(self, edge: Edge) -> bool:
+        return edge in self.place
+
+    def __getitem__(self, edge: Edge) -> float:
+        return self.levels[self.place[edge]]
+
+    def __setitem__(self, edge: Edge, level: float) -> None:
+        self.levels[self.place[edge]] = level
+
+
 def moves_of(grid: Any) -> Moves:
     """Every move that the map's rule for diagonals allows; outside the map counts as blocked."""
     free = {(r, c) for r, row in enumerate(grid.obstacles) for c, wall in enumerate(row) if not wall}
@@ -114,10 +140,12 @@ def forces_of(grid: Any, colony: Colony) -> dict[Cell, Vector]:
         right = colony.attraction * (grid.goal[1] - c)
         up = colony.attraction * (r - grid.goal[0])
         gross = math.hypot(right, up)
-        for wall in walls:
-            rho = math.dist((r, c), wall)
-            if rho <= colony.reach:
-                push = colony.repulsion * (1 / rho - 1 / colony.reach) / rho**2
+        rhos = {wall: math.dist((r, c), wall) for wall in walls}
+        nearest = [wall for wall in walls if math.isclose(rhos[wall], min(rhos.values()))]
+        pushing, share = (walls, 1) if colony.obstacles == "sum" else (nearest, 1 / max(1, len(nearest)))
+        for wall in pushing:
+            if (rho := rhos[wall]) <= colony.reach:
+                push = share * colony.repulsion * (1 / rho - 1 / colony.reach) / rho**2
                 right += push * (c - wall[1]) / rho
                 up += push * (wall[0] - r) / rho
                 gross += push
@@ -139,14 +167,30 @@ def desirability_of(grid: Any, colony: Colony, forces: dict[Cell, Vector]) -> Le
     return eta
 
 
-def diffuse_gaussian(tau: Levels, cell: Cell, force: Vector, gamma: float) -> None:
+def source_of(tau: Any, cell: Cell, came: int | None, along: int, source: str) -> float:
+    """phi(i) at a cell, where an ant came in some direction, or began; ``along`` is the edge along the force."""
+    leaving = [d for d in range(8) if (cell, d) in tau]
+    around = {d: (cell[0] + STEPS[d][0], cell[1] + STEPS[d][1]) for d in range(8)}
+    match source:
+        case "walked_edge":
+            return 0.0 if came is None else float(tau[around[(came + 4) % 8], came])
+        case "sum_in":
+            return float(sum(tau[around[d], (d + 4) % 8] for d in leaving))
+        case "mean_out":
+            return float(sum(tau[cell, d] for d in leaving) / len(leaving))
+        case "max_out":
+            return float(max(tau[cell, d] for d in leaving))
+    return float(tau[cell, along])
+
+
+def diffuse_gaussian(tau: Any, cell: Cell, came: int | None, force: Vector, colony: Colony) -> None:
     """One move gets more: the one in whose sector the force lies (Eqs 5-8), if it is allowed."""
     d = math.floor(math.atan2(force[1], force[0]) / (math.pi / 4) + 0.5) % 8
     if force != (0, 0) and (cell, d) in tau:
-        tau[cell, d] *= 1 + gamma * SHARE[d]
+        tau[cell, d] += colony.gamma * SHARE[d] * source_of(tau, cell, came, d, colony.source)
 
 
-def diffuse_luo_wu(tau: Levels, cell: Cell, force: Vector, gamma: float) -> None:
+def diffuse_luo_wu(tau: Any, cell: Cell, came: int | None, force: Vector, colony: Colony) -> None:
     """The moves on both sides of the force get more, the nearer one most; its pheromone is the source."""
     if force == (0, 0):
         return
@@ -155,9 +199,10 @@ def diffuse_luo_wu(tau: Levels, cell: Cell, force: Vector, gamma: float) -> None
     nearness = {low % 8: 1 - (sectors - low), (low + 1) % 8: sectors - low}
     allowed = [d for d in nearness if (cell, d) in tau]
     if allowed:
-        source = tau[cell, max(allowed, key=lambda d: (nearness[d], d == (low + 1) % 8))]
+        nearest = max(allowed, key=lambda d: (nearness[d], d == (low + 1) % 8))
+        phi = source_of(tau, cell, came, nearest, colony.source)
         for d in allowed:
-            tau[cell, d] += gamma * SHARE[d] * nearness[d] * source
+            tau[cell, d] += colony.gamma * SHARE[d] * nearness[d] * phi
 
 
 def without_crossings(path: Path) -> Path:
@@ -204,19 +249,21 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
     moves, forces = moves_of(grid), forces_of(grid, colony)
     eta = desirability_of(grid, colony, forces)
     desire = {edge: level**colony.beta for edge, level in eta.items()}
-    tau = dict.fromkeys(eta, colony.tau0)
+    tau = Pheromone(moves, colony.pheromone, colony.tau0)
     diffuse = {"pd": diffuse_gaussian, "pdg": diffuse_gaussian, "pf": diffuse_luo_wu}.get(colony.algo)
 
-    def walk() -> Path | None:
-        path, visited = [grid.start], {grid.start}
+    def walk(path: Path) -> Iterator[None]:
+        """Walk step by step; a path that does not end at the goal is that of a lost ant."""
+        visited = set(path)
         while (cell := path[-1]) != grid.goal:
             if diffuse:
-                diffuse(tau, cell, forces[cell], colony.gamma)
+                came = _direction(path[-2], cell) if len(path) > 1 else None
+                diffuse(tau, cell, came, forces[cell], colony)
             ways = [(d, target) for d, target in sorted(moves[cell].items()) if target not in visited]
             weights = [tau[cell, d] ** colony.alpha * desire[cell, d] for d, _ in ways]
             sums, drawn = list(accumulate(weights)), random.uniform()
             if not ways:
-                return None
+                return
             if sums[-1] > 0:
                 target = next(t for (_, t), s in zip(ways, sums, strict=True) if s > drawn * sums[-1])
             else:
@@ -224,23 +271,32 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
             path.append(target)
             visited.add(target)
             found.steps += 1
-        return path
+            yield
+
+    def walk_all() -> list[Path]:
+        walks: list[Path] = [[grid.start] for _ in range(colony.ants)]
+        walkers = [walk(path) for path in walks]
+        if colony.order == "in_turn":
+            for walker in walkers:
+                deque(walker, maxlen=0)
+        while walkers:
+            walkers = [walker for walker in walkers if next(walker, "stands") != "stands"]
+        return [path for path in walks if path[-1] == grid.goal]
 
     def update(paths: list[Path]) -> None:
-        for edge in tau:
-            tau[edge] *= 1 - colony.rho
+        for place in tau.levels:
+            tau.levels[place] *= 1 - colony.rho
         for path in paths:
             for a, b in pairwise(path):
                 tau[a, _direction(a, b)] += colony.q / length_of(pair_of(path))
 
     for _ in range(colony.iterations):
-        walks = [walk() for _ in range(colony.ants)]
-        arrived = [path for path in walks if path]
+        arrived = walk_all()
         shortened = [optimised(path, moves) if colony.algo == "pdg" else path for path in arrived]
         update(arrived)
         if colony.algo == "pdg":
             update(shortened)
-        found.lost.append(len(walks) - len(arrived))
+        found.lost.append(colony.ants - len(arrived))
         found.curve.append(min(map(pair_of, shortened), key=length_of, default=None))
         for raw, path in zip(arrived, shortened, strict=True):
             if length_of(pair_of(path)) < best:

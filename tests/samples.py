@@ -58,13 +58,13 @@ def grids(largest: int = 40) -> st.SearchStrategy[Grid]:
 
 def settings_of(colony: Colony) -> dict[str, Any]:
     """Return what ``acoexp.solve`` must be told for the same colony."""
-    scalars = ("ants", "iterations", "alpha", "beta", "rho", "q", "tau0")
+    scalars = ("ants", "iterations", "alpha", "beta", "rho", "q", "tau0", "pheromone", "order")
     guided = {"guidance": colony.guidance} if colony.algo == "pf" else {}
     return {
         **{key: getattr(colony, key) for key in scalars},
-        "field": {key: getattr(colony, key) for key in ("attraction", "repulsion", "reach")},
+        "field": {key: getattr(colony, key) for key in ("attraction", "repulsion", "reach", "obstacles")},
         "heuristic": {"at_goal": colony.at_goal, **guided},
-        "diffusion": {"gamma": colony.gamma} if colony.algo != "aco" else {},
+        "diffusion": {"gamma": colony.gamma, "source": colony.source} if colony.algo != "aco" else {},
     }
 
 
@@ -113,7 +113,7 @@ def drawn(drawing: str, moves: str = "no_squeeze") -> tuple[Grid, dict[str, Cell
     return Grid(obstacles, start=named[min(named)], goal=named[max(named)], moves=moves), named
 
 
-def problem_on(grid: Grid, field: dict[str, float] | None = None, **scalars: Any) -> Problem:
+def problem_on(grid: Grid, field: dict[str, Any] | None = None, **scalars: Any) -> Problem:
     """Return what a part is prepared with."""
     return Problem(grid, ColonySettings(**scalars), FieldSettings(**field or {}))
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from acoexp.features import Features, features_of
+from acoexp.features import Features, features_of, x2_last
 from acoexp.grid import path_length
 
 OPTIMUM_1, LONGER_1 = path_length(12, 13), path_length(14, 14)
@@ -55,6 +55,18 @@ def test_the_published_rows_fit_the_definitions(row: tuple[int, float, int, floa
     assert features_of(np.array(curve_of(*row))) == Features(x1, x2, x3, l1, l2)
 
 
+@pytest.mark.parametrize("row", TABLE_1 + TABLE_2)
+def test_the_published_rows_fit_the_other_reading_of_x2_too(row: tuple[int, float, int, float, int]) -> None:
+    x1, l1, x2, l2, x3 = row
+    curve = np.array(curve_of(*row))
+    if l1 != l2:
+        curve[x2 : x3 - 1] = ELSEWHERE  # lost after x2
+        curve[x1 - 1 : x2 : 2] = l1  # and found before, now and then
+        curve[x2 - 1] = l1
+    assert x2_last(curve) == x2
+    assert features_of(curve)._replace(x2=x2) == Features(x1, x2, x3, l1, l2)
+
+
 def features(*curve: float) -> tuple[int, int, int, float, float]:
     return tuple(features_of(np.array(curve)))  # type: ignore[return-value]
 
@@ -76,6 +88,13 @@ def test_x2_is_the_last_cycle_that_found_it_where_no_two_in_a_row_did() -> None:
 def test_x2_may_be_the_last_cycle_of_all() -> None:
     assert features(9, 8, 5) == (3, 3, 3, 5, 5)
     assert features(5, 8, 5) == (1, 3, 3, 5, 5)
+
+
+def test_in_its_other_reading_x2_is_the_last_cycle_that_found_it_unless_the_run_converges_to_it() -> None:
+    assert x2_last(np.array([9, 5, 5, 6, 5, 6, 6])) == 5
+    assert x2_last(np.array([9, 5, 5, 6, 5, np.nan])) == 5
+    assert x2_last(np.array([9, 5, 6, 5, 5])) == 4
+    assert x2_last(np.array([np.nan, np.nan])) == 0
 
 
 def test_x3_is_the_first_cycle_from_which_the_curve_stays_where_it_ends() -> None:

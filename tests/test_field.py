@@ -23,9 +23,9 @@ BLIND: dict[str, Any] = {"attraction": 0.0}
 """Settings under which obstacles push and the goal does not pull."""
 
 
-def force_of(obstacles: NDArray[np.bool_], **constants: Any) -> NDArray[np.float64]:
+def force_of(walls: NDArray[np.bool_], **constants: Any) -> NDArray[np.float64]:
     """Return the force on each cell of a map, float[rows, cols, 2] as (right, up)."""
-    return potential_field(Grid(obstacles), FieldSettings(**constants)).force
+    return potential_field(Grid(walls), FieldSettings(**constants)).force
 
 
 def with_obstacles(*cells: tuple[int, int]) -> NDArray[np.bool_]:
@@ -85,10 +85,27 @@ def test_obstacles_carry_no_force() -> None:
     assert (field.sector[obstacles] == NO_DIRECTION).all()
 
 
-@given(grids(12), st.floats(0, 10), st.floats(0, 100), st.floats(0.1, 20))
-@settings(max_examples=50, deadline=None)
-def test_the_force_is_that_of_plain_loops(grid: Grid, attraction: float, repulsion: float, reach: float) -> None:
-    constants: dict[str, Any] = {"attraction": attraction, "repulsion": repulsion, "reach": reach}
+def test_of_the_obstacles_only_the_nearest_pushes_if_so_chosen() -> None:
+    near, far = (2, 2), (6, 4)
+    force = force_of(with_obstacles(near, far), **BLIND, obstacles="nearest")
+    assert force[3, 3] == pytest.approx(force_of(with_obstacles(near), **BLIND)[3, 3])
+    assert force[7, 4] == pytest.approx(force_of(with_obstacles(far), **BLIND)[7, 4])
+
+
+def test_obstacles_that_are_equally_near_push_by_their_mean() -> None:
+    beside, below = (4, 2), (6, 4)
+    apart = [force_of(with_obstacles(wall), **BLIND)[4, 4] for wall in (beside, below)]
+    both = force_of(with_obstacles(beside, below), **BLIND, obstacles="nearest")[4, 4]
+    assert both == pytest.approx(np.mean(apart, axis=0))
+
+
+@given(grids(12), st.floats(0, 10), st.floats(0, 100), st.floats(0.1, 20), st.sampled_from(["sum", "nearest"]))
+@settings(max_examples=80, deadline=None)
+def test_the_force_is_that_of_plain_loops(
+    grid: Grid, attraction: float, repulsion: float, reach: float, obstacles: str
+) -> None:
+    constants: dict[str, Any] = {"attraction": attraction, "repulsion": repulsion}
+    constants |= {"reach": reach, "obstacles": obstacles}
     force = potential_field(grid, FieldSettings(**constants)).force
     for cell, expected in forces_of(grid, Colony("pd", **constants)).items():
         assert force[cell] == pytest.approx(expected, rel=1e-9, abs=1e-9)
@@ -137,7 +154,7 @@ def test_pushes_that_cancel_have_no_direction() -> None:
 
 @pytest.mark.parametrize(
     "values",
-    [{"attraction": -1}, {"repulsion": -0.1}, {"reach": 0}, {"reach": math.nan}, {"obstacles": "nearest"}],
+    [{"attraction": -1}, {"repulsion": -0.1}, {"reach": 0}, {"reach": math.nan}, {"obstacles": "farthest"}],
 )
 def test_constants_out_of_range_are_refused(values: dict[str, object]) -> None:
     with pytest.raises(SettingsError, match=f"field.{next(iter(values))}: expected "):

@@ -63,10 +63,28 @@ def test_numpy_scalars_are_numbers() -> None:
     ("key", "value"),
     [("ants", 0), ("ants", 2.0), ("ants", True), ("iterations", 0), ("rho", 1.5), ("rho", -0.1), ("alpha", np.nan),
      ("beta", np.inf), ("q", 0.0), ("tau0", 0), ("tau0", "1"), ("alpha", None), ("beta", "???"),
-     ("pheromone", "cells"), ("order", "lock_step")],
+     ("pheromone", "nodes"), ("order", "lockstep")],
 )  # fmt: skip
 def test_scalars_out_of_range_are_refused(key: str, value: Any) -> None:
     assert refusal(**{key: value}).startswith(f"{key}: expected ")
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"pheromone": "nodes"}, "pheromone: expected one of: edges, cells; got 'nodes'"),
+        ({"order": "random"}, "order: expected one of: in_turn, lock_step; got 'random'"),
+        ({"field": {"obstacles": "all"}}, "field.obstacles: expected one of: sum, nearest; got 'all'"),
+        (
+            {"diffusion": {"source": "cell"}},
+            "diffusion.source: expected one of: force_edge, walked_edge, sum_in, mean_out, max_out; got 'cell'",
+        ),
+    ],
+)
+def test_a_reading_of_the_paper_that_there_is_not_is_refused_with_those_there_are(
+    values: dict[str, Any], message: str
+) -> None:
+    assert refusal("pdg", **values) == refusal("pf", **values) == message
 
 
 def test_an_unknown_key_is_refused_with_those_that_are_known() -> None:

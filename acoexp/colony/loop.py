@@ -1,4 +1,4 @@
-"""The loop: ants walk in turn, their paths are optimised, the pheromone is updated; cycle after cycle.
+"""The loop: ants walk, their paths are optimised, the pheromone is updated; cycle after cycle.
 
 ``make_loop`` closes over the kernels of the four parts that act while a trial runs, and the compiler inlines
 them: a part costs what it does, and nothing for being a part.
@@ -6,7 +6,6 @@ them: a part costs what it does, and nothing for being a part.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,11 +14,8 @@ from numpy.typing import NDArray
 from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import refresh, reset
 from acoexp.colony.random import seed_stream
-from acoexp.colony.state import LOST, NO_WAY_HERE
-from acoexp.colony.tabu import forget, touch
-from acoexp.colony.trails import copy_trail, leads_to_goal, measure, read_cells, write_cells
-
-Kernel = Callable[..., Any]
+from acoexp.colony.trails import copy_trail, leads_to_goal, read_cells, write_cells
+from acoexp.colony.walk import Kernel, Order
 
 NO_PATH = -1
 """What the loop returns if a choice made moves that are not allowed, or never came to an end."""
@@ -55,49 +51,38 @@ class Record(NamedTuple):
     ant_steps: NDArray[np.int64]
 
 
-def make_loop(choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: Kernel) -> Kernel:
-    """Return the loop over these kernels, compiled at its first call.
+def make_loop(order: Order, choose: Kernel, diffuse: Kernel, optimise: Kernel | None, update: Kernel) -> Kernel:
+    """Return the loop over these kernels, its ants walking in this order, compiled at its first call.
 
-    It takes ``(colony, own, initial, raw, final, best, cells, record, seed)``: the colony; the parts' own
-    state; the initial pheromone; trails for the paths as walked and as optimised (one object if there is no
-    post-optimiser); trails of two rows for the run's best path, optimised and as walked; room for a path as
-    cells; the record to fill; the seed. It returns 0; or the cycle in which the post-optimiser returned what is
-    no path; or ``NO_PATH``, ``STOPPED``, ``UNSOUND``.
+    It takes ``(colony, crowd, own, initial, raw, final, best, cells, record, seed)``: the colony; the ants that
+    walk together, or None; the parts' own state; the initial pheromone; trails for the paths as walked and as
+    optimised (one object if there is no post-optimiser); trails of two rows for the run's best path, optimised
+    and as walked; room for a path as cells; the record to fill; the seed. It returns 0; or the cycle in which
+    the post-optimiser returned what is no path; or ``NO_PATH``, ``STOPPED``, ``UNSOUND``.
     """
+    walk_together, walk = order(choose, diffuse)
     polish = _polish_by(optimise) if optimise is not None else _leave_as_walked
 
     @compiled
-    def walk(colony: Any, own: Any, raw: Any, ant: Any) -> bool:
-        cell, came = colony.start, NO_WAY_HERE
-        touch(colony, cell)
-        steps = straight = 0
-        move = LOST
-        while cell != colony.goal and steps < raw.moves.shape[1]:
-            diffuse(colony, own.diffusion, ant, cell, came)
-            move = choose(colony, own.choice, ant, cell, came)
-            if not colony.allowed[np.uintp(cell)] >> np.uint8(move) & 1:  # also where the ant is lost
-                break
-            raw.moves[np.uintp(ant), np.uintp(steps)] = move
-            steps += 1
-            straight += 1 - (move & 1)
-            cell += colony.offsets[np.uintp(move)]
-            touch(colony, cell)
-            came = move
-        measure(raw, ant, steps, straight)
-        if cell != colony.goal:
-            raw.length[ant] = np.inf
-        forget(colony, raw, ant)
-        return cell == colony.goal or move == LOST
-
-    @compiled
     def run(
-        colony: Any, own: Any, initial: Any, raw: Any, final: Any, best: Any, cells: Any, record: Any, seed: Any
+        colony: Any,
+        crowd: Any,
+        own: Any,
+        initial: Any,
+        raw: Any,
+        final: Any,
+        best: Any,
+        cells: Any,
+        record: Any,
+        seed: Any,
     ) -> int:
         _begin(colony, initial, best, record, seed)
         for cycle in range(colony.iterations):
             if colony.stop[0]:
                 return STOPPED
             colony.cycle[0] = cycle + 1
+            if not walk_together(colony, crowd, own, raw):
+                return NO_PATH
             for ant in range(colony.ants):
                 if not walk(colony, own, raw, ant):
                     return NO_PATH

@@ -1,5 +1,8 @@
 """Pheromone: a level on every edge, and the few ways to change it.
 
+Where pheromone lies on cells, all edges into a cell have its level: whatever changes one changes the others too,
+and a part need not know.
+
 All edges evaporate alike, so evaporation is one factor, ``scale``, and costs nothing per edge; the roulette
 does not see a common factor. Each edge's weight, stored^alpha * eta^beta, is recomputed when that edge's
 pheromone changes and not at every step. Only levels relative to each other count, so what is stored is brought
@@ -50,6 +53,7 @@ def multiply(colony: Any, edge: Any, factor: Any, factor_to_alpha: Any) -> None:
     if stored <= colony.highest_stored and weight >= _SMALLEST_EXACT:
         colony.stored[np.uintp(edge)] = stored
         colony.weight[np.uintp(edge)] = weight
+        _share(colony, edge, False)
     else:
         _store(colony, edge, stored)
 
@@ -88,6 +92,7 @@ def lay(colony: Any, trails: Any, ant: Any, amount: Any) -> None:
         edge = np.uintp(cell * 8 + move)
         stored = colony.stored[edge] + share
         colony.stored[edge] = stored
+        _share(colony, edge, True)
         if stored <= colony.highest_stored:
             _let_wait(colony, edge)
         else:
@@ -134,6 +139,28 @@ def _store(colony: Any, edge: Any, stored: Any) -> None:
     colony.stored[edge] = stored
     if colony.weight[edge] >= 0.0:
         _weigh(colony, edge)
+    _share(colony, edge, False)
+
+
+@compiled
+def _share(colony: Any, edge: Any, waits: Any) -> None:
+    """Where pheromone lies on cells, give all edges into the cell that an edge leads to what is stored on it."""
+    if colony.on_cells is None:
+        return
+    cell, direction = np.int64(edge) // 8, np.int64(edge) % 8
+    if not colony.allowed[cell] >> direction & 1:
+        return
+    stored = colony.stored[edge]
+    power = stored**colony.alpha
+    target = cell + colony.offsets[direction]
+    for back in range(8):
+        if colony.allowed[target] >> back & 1:
+            other = (target + colony.offsets[back]) * 8 + (back ^ 4)
+            colony.stored[other] = stored
+            if waits:
+                _let_wait(colony, other)
+            elif colony.weight[other] >= 0.0:
+                colony.weight[other] = power * colony.desirability[other]
 
 
 @compiled

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.field import FieldSettings, PotentialField, potential_field
-from acoexp.grid import Cell, Grid
+from acoexp.grid import DIRECTIONS, Cell, Grid
 from acoexp.parameters import parameter
 
 
@@ -27,10 +27,18 @@ class ColonySettings:
         1.0, "pheromone that an ant spreads over its path; not in the paper", minimum=1e-100, maximum=1e100
     )
     tau0: float = parameter(
-        1.0, "pheromone on every edge at the start; not in the paper", minimum=1e-100, maximum=1e100
+        1.0, "pheromone everywhere at the start; not in the paper", minimum=1e-100, maximum=1e100
     )
-    pheromone: str = parameter("edges", "where pheromone lies (Eqs 18, 19 speak of edges)", choices=("edges",))
-    order: str = parameter("in_turn", "how the ants of a cycle walk: one after another", choices=("in_turn",))
+    pheromone: str = parameter(
+        "edges",
+        "where pheromone lies (Eqs 18, 19 or Sect. 3.4, step 3); all edges into a cell share its level",
+        choices=("edges", "cells"),
+    )
+    order: str = parameter(
+        "in_turn",
+        "how the ants of a cycle walk: one after another, or one step each in turn",
+        choices=("in_turn", "lock_step"),
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,3 +79,14 @@ class Problem:
         """Return bool[rows, cols, 8]: which moves are allowed."""
         bits = np.unpackbits(self.grid.allowed[..., None], axis=-1, bitorder="little")
         return bits.astype(bool)
+
+    def shared_by_target(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return float64[rows, cols, 8]: for each allowed move the mean of the values of all into its target."""
+        allowed = self.allowed_edges()
+        row, col, direction = np.nonzero(allowed)
+        down, right = np.transpose(DIRECTIONS)
+        target = (row + down[direction]) * self.grid.shape[1] + col + right[direction]
+        count, total = np.bincount(target), np.bincount(target, values[allowed])
+        shared = values.copy()
+        shared[allowed] = total[target] / count[target]
+        return shared

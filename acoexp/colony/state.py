@@ -60,12 +60,14 @@ class Colony(NamedTuple):
         scale: * float64[1], the factor that all evaporation so far amounts to.
         weight: * float64[edges], stored^alpha * desirability, finite; negative where it waits to be recomputed.
         stale: * int32[], the edges that wait; ``stale_count`` int64[1] tells how many.
-        untouched: * float64[cells], 1 where the ant that is walking has not been, 0 where it has; a factor,
-            which costs the choice less than a comparison.
         cycle: * int64[1], the cycle, 1..iterations.
         random: * uint64[4], the trial's random numbers; draw by ``uniform``.
         unsound: * uint8[1], not 0 once a part made a level negative or not a number.
         stop: * uint8[1], not 0 once the trial is to end after this cycle.
+        on_cells: None where pheromone lies on edges, True where it lies on cells; the compiler knows which, and
+            leaves out what only the other needs.
+        untouched: * float64[cells], 1 where the ant that is walking has not been, 0 where it has; a factor,
+            which costs the choice less than a comparison. It stands last, see ``acoexp.colony.walk``.
     """
 
     start: np.int64
@@ -88,11 +90,12 @@ class Colony(NamedTuple):
     weight: NDArray[np.float64]
     stale: NDArray[np.int32]
     stale_count: NDArray[np.int64]
-    untouched: NDArray[np.float64]
     cycle: NDArray[np.int64]
     random: NDArray[np.uint64]
     unsound: NDArray[np.uint8]
     stop: NDArray[np.uint8]
+    on_cells: bool | None
+    untouched: NDArray[np.float64]
 
 
 def new_trails(ants: int, cells: int) -> Trails:
@@ -149,9 +152,10 @@ def new_colony(problem: Problem, desirability: NDArray[np.float64], stop: NDArra
         weight=np.empty(cells * 8),
         stale=np.empty(min(STALE_EDGES, cells * 8), dtype=np.int32),
         stale_count=np.zeros(1, dtype=np.int64),
-        untouched=np.ones(cells),
         cycle=np.zeros(1, dtype=np.int64),
         random=np.zeros(4, dtype=np.uint64),
         unsound=np.zeros(1, dtype=np.uint8),
         stop=stop,
+        on_cells=True if settings.pheromone == "cells" else None,
+        untouched=np.ones(cells),
     )

@@ -104,11 +104,13 @@ def _scalars() -> str:
 
 
 def _keys(owner: Any) -> dict[str, str]:
-    """Return each parameter's meaning and default."""
-    return {
-        name: f"{field.metadata['meaning']} [{_default(field.default)}]"
-        for name, field in fields_of(owner).items()
-    }
+    """Return each parameter's meaning, its default, and what else it may be where that is one of a few."""
+    lines = {}
+    for name, field in fields_of(owner).items():
+        others = [choice for choice in field.metadata["choices"] or () if choice != field.default]
+        values = _default(field.default) + (f", or {', '.join(others)}" if others else "")
+        lines[name] = f"{field.metadata['meaning']} [{values}]"
+    return lines
 
 
 def _default(value: Any) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import pickle
-from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -109,7 +108,7 @@ class Job:
             resume=self.resume,
         )
 
-    def _tracking(self) -> Mapping[str, Any]:
+    def _tracking(self) -> dict[str, Any]:
         """Return where results go, by the absolute address if the parent gave one."""
         tracking = self._mapping("tracking")
         absolute = Parcel().addresses.get(str(tracking.get("uri")))
@@ -135,7 +134,7 @@ class Job:
             raise SettingsError(f"report.{key} is not a known key of report=none")
         return None
 
-    def _mapping(self, key: str) -> Mapping[str, Any]:
+    def _mapping(self, key: str) -> dict[str, Any]:
         value = self.config.get(key)
         if not isinstance(value, dict):
             raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import sys
 import traceback
-from collections.abc import Iterable
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -96,6 +96,14 @@ def _begin_sweep(config: DictConfig) -> None:
         sweep.begin(folder, None, where)
 
 
+def _pack(folder: Path, jobs: Collection[Job]) -> None:
+    """Put into the sweep's folder, and into what launchers carry, all that a worker needs of this machine."""
+    for job in jobs:
+        if isinstance(job.tracker, MlflowTracker):
+            Parcel().addresses[job.config["tracking"]["uri"]] = job.tracker.store.uri
+    Parcel().pack(folder, [(job.config["map"], job.setup.grid) for job in jobs])
+
+
 def _fix_folder(config: DictConfig) -> Path:
     """Name the sweep's folder absolutely, for jobs that are composed elsewhere too; return it."""
     folder = Path(config.hydra.sweep.dir).absolute()
@@ -103,15 +111,6 @@ def _fix_folder(config: DictConfig) -> Path:
     quoted = str(folder).replace("'", r"\'")
     config.hydra.overrides.hydra.append(f"hydra.sweep.dir='{quoted}'")
     return folder
-
-
-def _pack(folder: Path, jobs: Iterable[Job]) -> None:
-    """Put together what workers need."""
-    parcel = Parcel()
-    parcel.pack(folder, [(job.config["map"], job.setup.grid) for job in jobs])
-    for job in jobs:
-        if isinstance(job.tracker, MlflowTracker):
-            parcel.addresses[job.config["tracking"]["uri"]] = job.tracker.store.uri
 
 
 def _leave_out_what_is_there(

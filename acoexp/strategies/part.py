@@ -43,7 +43,11 @@ class Part:
     """A part that acts while a trial runs."""
 
     contract: ClassVar[int] = 1
-    kernel: ClassVar[Callable[..., Any] | None]
+
+    @property
+    def kernel(self) -> Callable[..., Any] | None:
+        """What acts: ``kernel = staticmethod(...)``, or a property where it depends on the parameters."""
+        raise NotImplementedError(f"{type(self).__name__}.kernel")
 
     def prepare(self, problem: Problem) -> tuple[Any, ...]:
         """Return the part's own state: a tuple or NamedTuple of numbers and arrays.

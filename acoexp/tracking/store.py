@@ -85,7 +85,7 @@ class Store:
         Raises:
             TrackingError: if it fails for good, or the store stays away.
         """
-        began, pause = time.monotonic(), 0.1
+        began, pause, told = time.monotonic(), 0.1, False
         with self._reporting(what), _few_retries():
             while True:
                 try:
@@ -97,7 +97,8 @@ class Store:
                     if waited + pause > PATIENCE:
                         _gave_up.add(self.uri)
                         raise
-                    if waited < pause:
+                    if not told:
+                        told = True
                         log.warning("%s %s; trying again for %.0f s", self.shown, what, PATIENCE)
                     time.sleep(pause)
                     pause = min(2.0 * pause, 5.0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numba
 import pytest
 import reference
@@ -11,6 +13,7 @@ from samples import ALGOS, as_cells, random_grid, settings_of
 import acoexp
 from acoexp import Grid
 from acoexp.api import as_grid
+from acoexp.strategies.diffusion.source import SOURCES
 
 JIT = not numba.config.DISABLE_JIT
 SEEDS = range(20) if JIT else range(2)
@@ -22,6 +25,23 @@ OTHER_CONSTANTS = {
     "blind": {"alpha": 0.0, "beta": 0.0, "rho": 0.0, "gamma": 1.0, "ants": 25},
     "pushed": {"repulsion": 300.0, "reach": 2.5, "attraction": 0.1, "guidance": 2.0, "gamma": 0.5},
 }
+
+READINGS: list[tuple[str, dict[str, Any]]] = [
+    ("aco", {"order": "lock_step"}),
+    ("pd", {"pheromone": "cells", "order": "lock_step", "source": "walked_edge"}),
+    ("pdg", {"pheromone": "cells"}),
+    ("pf", {"order": "lock_step", "source": "mean_out"}),
+    ("pd", {"obstacles": "nearest"}),
+]
+"""Other decisions where the paper leaves one open: each at least once."""
+
+MORE_READINGS: list[tuple[str, dict[str, Any]]] = [
+    *((algo, {"source": source}) for algo in ("pd", "pf") for source in SOURCES),
+    *((algo, {"pheromone": "cells", "source": source}) for algo in ("pd", "pf") for source in SOURCES),
+    *((algo, {"pheromone": lies, "order": "lock_step"}) for algo in ALGOS for lies in ("edges", "cells")),
+    ("pf", {"obstacles": "nearest"}),
+]
+"""Where each would have to be compiled, that would take minutes."""
 
 
 def assert_same_trial(grid: Grid, colony: Colony, seed: int) -> None:
@@ -53,3 +73,13 @@ def test_on_other_maps_and_with_other_constants_too(moves: str, constants: str, 
     colony = Colony(algo, **{"iterations": CYCLES, **OTHER_CONSTANTS[constants]})
     for seed, (rows, cols) in zip(SEEDS, [(9, 30), (23, 14)], strict=False):
         assert_same_trial(random_grid(seed, rows, cols, moves), colony, seed)
+
+
+@pytest.mark.parametrize(("algo", "reading"), READINGS + ([] if JIT else MORE_READINGS), ids=str)
+def test_under_the_other_readings_of_the_paper_too(algo: str, reading: dict[str, Any]) -> None:
+    """With the paper's constants, and with such that make the differences large."""
+    assert_same_trial(as_grid("env2"), Colony(algo, iterations=CYCLES, **reading), 0)
+    for seed, moves in zip(SEEDS, ["free", "no_squeeze", "no_cut"], strict=False):
+        constants = OTHER_CONSTANTS[["sharp", "forgetful", "pushed"][seed]]
+        colony = Colony(algo, **{"iterations": CYCLES, **constants, **reading})
+        assert_same_trial(random_grid(seed, 9, 20, moves), colony, seed)

@@ -14,7 +14,7 @@ from samples import colony_on, problem_on, trails_of
 from acoexp import Grid
 from acoexp.colony import pheromone
 from acoexp.colony.problem import Problem
-from acoexp.colony.state import Colony
+from acoexp.colony.state import Colony, direction_offsets
 
 GRID = Grid([[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])
 WALKS = [[0, 0, 7, 6], [0, 0, 0, 6, 6], [6, 6, 0, 0, 0], [0, 7, 7], [0, 0, 6, 0, 6]]
@@ -46,6 +46,19 @@ operations = st.one_of(
 def edges_along(colony: Colony, walk: list[int]) -> list[int]:
     cells = colony.start + np.cumsum([0, *colony.offsets[walk[:-1]]])
     return [int(cell) * 8 + move for cell, move in zip(cells, walk, strict=True)]
+
+
+class OnCells(dict[int, float]):
+    """A model in which all edges into one cell have one level."""
+
+    def __setitem__(self, edge: int, level: float) -> None:
+        for other in self:
+            if target_of(other) == target_of(edge):
+                super().__setitem__(other, level)
+
+
+def target_of(edge: int) -> int:
+    return edge // 8 + int(direction_offsets(PROBLEM.width)[edge % 8])
 
 
 def act(colony: Colony, model: dict[int, float], name: str, *arguments: Any) -> None:
@@ -87,13 +100,16 @@ def assert_weights(colony: Colony, model: dict[int, float]) -> None:
         assert math.isclose(colony.weight[edge], expected, rel_tol=1e-9, abs_tol=1e-290)
 
 
-def some_colony(alpha: float, room: int | None = None) -> tuple[Colony, dict[int, float]]:
+def some_colony(
+    alpha: float, room: int | None = None, pheromone: str = "edges"
+) -> tuple[Colony, dict[int, float]]:
     """Return a colony with room for so many edges whose weight may wait, and the model of it."""
-    problem = problem_on(GRID, alpha=alpha, tau0=0.7)
+    problem = problem_on(GRID, alpha=alpha, tau0=0.7, pheromone=pheromone)
     colony = colony_on(problem, np.random.default_rng(0).uniform(0.1, 1.0, (*GRID.shape, 8)))
     if room is not None:
         colony = colony._replace(stale=colony.stale[:room])
-    return colony, dict.fromkeys(EDGES, 0.7)
+    levels = dict.fromkeys(EDGES, 0.7)
+    return colony, OnCells(levels) if pheromone == "cells" else levels
 
 
 @settings(deadline=None, max_examples=300)
@@ -101,11 +117,12 @@ def some_colony(alpha: float, room: int | None = None) -> tuple[Colony, dict[int
     st.lists(operations, max_size=40),
     st.sampled_from([0.0, 0.5, 1.1, 2.0, 100.0]),
     st.sampled_from([None, 0, 1, 5]),
+    st.sampled_from(["edges", "cells"]),
 )
 def test_any_sequence_of_operations_does_what_it_does_to_a_plain_model(
-    steps: list[tuple[Any, ...]], alpha: float, room: int | None
+    steps: list[tuple[Any, ...]], alpha: float, room: int | None, lies_on: str
 ) -> None:
-    colony, model = some_colony(alpha, room)
+    colony, model = some_colony(alpha, room, lies_on)
     for step in steps:
         act(colony, model, *step)
         assert_levels(colony, model)
@@ -114,9 +131,18 @@ def test_any_sequence_of_operations_does_what_it_does_to_a_plain_model(
     assert colony.stale_count[0] == 0
 
 
+def test_on_cells_all_edges_into_a_cell_have_its_level() -> None:
+    colony, _ = some_colony(1.1, pheromone="cells")
+    pheromone.deposit(colony, EDGES[3], 1.0)
+    changed = {edge for edge in EDGES if pheromone.level(colony, edge) != 0.7}
+    assert changed == {edge for edge in EDGES if target_of(edge) == target_of(EDGES[3])}
+    assert len(changed) > 1
+
+
+@pytest.mark.parametrize("lies_on", ["edges", "cells"])
 @pytest.mark.parametrize("name", ["deposit", "set_level", "multiply"])
-def test_a_single_change_shows_in_the_weight_at_once(name: str) -> None:
-    colony, model = some_colony(1.1)
+def test_a_single_change_shows_in_the_weight_at_once(name: str, lies_on: str) -> None:
+    colony, model = some_colony(1.1, pheromone=lies_on)
     act(colony, model, name, EDGES[7], 1.5)
     assert_weights(colony, model)
 

@@ -54,6 +54,11 @@ def test_help_names_every_key(page: str, key: str) -> None:
     assert f" {key} " in page or f"\n{key} " in page
 
 
+def test_help_names_all_values_of_a_key_that_has_few(page: str) -> None:
+    assert "[edges, or cells]" in section(page, "keys")
+    assert "[force_edge, or walked_edge, sum_in, mean_out, max_out]" in section(page, "diffusion")
+
+
 def test_help_leaves_no_mark_of_its_template(page: str) -> None:
     assert "$$" not in page
     assert 'eval "$(acoexp -sc install=bash)"' in page

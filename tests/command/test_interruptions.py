@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from mlflow import MlflowClient
 from running import QUICK, environment, records, run_acoexp, trials
 
 posix = pytest.mark.skipif(os.name != "posix", reason="signals and pseudo terminals of POSIX")
@@ -80,13 +81,19 @@ def test_a_part_that_breaks_its_contract_fails_its_own_jobs_alone(
     bad: str, good: str, said: str, plugin: dict[str, str], tmp_path: Path
 ) -> None:
     group, _, name = bad.partition("=")
-    ended = run_acoexp(f"{group}={name},{good}", "-m", "seed=0,1", *QUICK, "ants=9", cwd=tmp_path, env=plugin)
+    quick = ("iterations=3", "ants=9")
+    ended = run_acoexp(f"{group}={name},{good}", "-m", "seed=0,1", *quick, cwd=tmp_path, env=plugin)
     assert ended.returncode == 1
     assert said in ended.stderr.splitlines()[-1]
     assert ended.stderr.splitlines()[-1].startswith("acoexp: error: ")
     assert "Traceback" not in ended.stderr
     assert "2 of 4 trials finished" in ended.stdout
     assert [trial["config"][f"{group}.name"] for trial in trials(tmp_path)] == [good, good]
+    client = MlflowClient(f"sqlite:///{tmp_path}/outputs/mlflow.db")
+    runs = client.search_runs([client.get_experiment_by_name("acoexp").experiment_id])
+    failed = {run.data.params["seed"]: run for run in runs if run.info.status == "FAILED"}
+    assert failed.keys() == {"0", "1"}
+    assert all(said in run.data.tags["reason"] for run in failed.values())
 
 
 def test_a_part_whose_package_is_broken_is_refused_before_anything_runs(

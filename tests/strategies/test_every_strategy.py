@@ -30,3 +30,18 @@ def test_swapped_into_pdg_it_finds_ways_and_the_same_ones_however_it_is_run(grou
     for threads in (1, 3):
         batch = acoexp.solve_many(grid, "pdg", seeds, threads=threads, **settings)
         assert list(map(everything, batch)) == list(map(everything, single))
+
+
+@pytest.mark.parametrize(("algo", "choice"), [("acs", "acs"), ("mmas", "turning")])
+def test_published_variants_walk_in_lock_step_with_pheromone_on_cells(algo: str, choice: str) -> None:
+    """No part knows of cells or of lock step; these change pheromone in all ways there are, and look at tabu."""
+    grid, seeds = random_grid(5, 12, 15, "no_cut"), range(4)
+    few: dict[str, Any] = {"ants": 4, "iterations": 12, "choice": choice}
+    other: dict[str, Any] = {"pheromone": "cells", "order": "lock_step"}
+    results = acoexp.solve_many(grid, algo, seeds, threads=2, **few, **other)
+    for result in results:
+        path = as_cells(result.path)
+        assert path is not None
+        assert is_way(grid, path)
+    single = [acoexp.solve(grid, algo, seed, **few, **other) for seed in seeds]
+    assert list(map(everything, results)) == list(map(everything, single))

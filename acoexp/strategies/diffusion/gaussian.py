@@ -1,12 +1,13 @@
 """tau_ij += gamma * phi(i) * (r - xi) / r, j the neighbour that the field's force points to (Eqs 5-8).
 
-The source phi(i) is the pheromone of the edge from i in that direction, so the edge is multiplied by a constant:
-1 + gamma / 3 on a diagonal, 1 + gamma (1 - sqrt 2 / 3) straight ahead. Nothing diffuses where that move is
-not allowed.
+The source phi(i) is the pheromone of the edge from i in that direction, unless another is chosen, so the edge is
+multiplied by a constant: 1 + gamma / 3 on a diagonal, 1 + gamma (1 - sqrt 2 / 3) straight ahead. Nothing diffuses
+where that move is not allowed.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -19,6 +20,7 @@ from acoexp.colony.problem import Problem
 from acoexp.field import NO_DIRECTION
 from acoexp.grid import SQRT2
 from acoexp.parameters import parameter
+from acoexp.strategies.diffusion.source import FORCE_EDGE, KERNELS, SOURCES, Spread
 from acoexp.strategies.part import Diffusion
 
 RADIUS = 1.5 * SQRT2
@@ -60,13 +62,21 @@ class Gaussian(Diffusion):
 
     gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
     source: str = parameter(
-        "force_edge", "what phi(i) is: the pheromone of the edge along the force", choices=("force_edge",)
+        FORCE_EDGE,
+        "phi(i): of the edge along the force, or just walked; over the edges into i, or those that leave it",
+        choices=SOURCES,
     )
 
-    kernel = staticmethod(diffuse)
+    @property
+    def kernel(self) -> Callable[..., Any]:
+        """The kernel for the source."""
+        return KERNELS.get(self.source, diffuse)
 
-    def prepare(self, problem: Problem) -> OwnState:
+    def prepare(self, problem: Problem) -> OwnState | Spread:
         """Look up, per cell, where pheromone goes."""
-        growth = 1.0 + self.gamma * shares()
         sector = problem.per_cell(open_sectors(problem), border=NO_DIRECTION)
+        if self.source != FORCE_EDGE:
+            gain = self.gamma * shares()[sector & 1]
+            return Spread(sector, np.full_like(sector, NO_DIRECTION), gain, np.zeros_like(gain))
+        growth = 1.0 + self.gamma * shares()
         return OwnState(sector, growth, growth**problem.settings.alpha)

@@ -3,11 +3,13 @@
 A *reconstruction* of the diffusion in ACO-PF (Luo and Wu 2010): no public source gives its formulas. Known is
 that the resultant force guides the ants and that pheromone diffuses; that it splits between the two grid
 directions that enclose the force, each in proportion to its nearness in angle, is ours. Eq. 6's cone gives the
-shares by distance. phi(i) is the pheromone of the nearest of those edges that is an allowed move.
+shares by distance. phi(i) is the pheromone of the nearest of those edges that is an allowed move, unless another
+source is chosen.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -20,6 +22,7 @@ from acoexp.colony.problem import Problem
 from acoexp.field import NO_DIRECTION
 from acoexp.parameters import parameter
 from acoexp.strategies.diffusion.gaussian import shares
+from acoexp.strategies.diffusion.source import FORCE_EDGE, KERNELS, SOURCES, Spread
 from acoexp.strategies.part import Diffusion
 
 
@@ -55,10 +58,18 @@ class LuoWu(Diffusion):
     """Diffuses pheromone to the two neighbours beside the field's force; a reconstruction of Luo and Wu 2010."""
 
     gamma: float = parameter(0.01, "diffusion coefficient", minimum=0.0, maximum=1.0)
+    source: str = parameter(
+        FORCE_EDGE,
+        "phi(i): of the edge nearest to the force, or just walked; over the edges into i, or those that leave it",
+        choices=SOURCES,
+    )
 
-    kernel = staticmethod(diffuse)
+    @property
+    def kernel(self) -> Callable[..., Any]:
+        """The kernel for the source."""
+        return KERNELS.get(self.source, diffuse)
 
-    def prepare(self, problem: Problem) -> OwnState:
+    def prepare(self, problem: Problem) -> OwnState | Spread:
         """Split each cell's force between the two directions beside it."""
         force = problem.field.force
         turn = np.arctan2(force[..., 1], force[..., 0]) / (np.pi / 4)
@@ -80,5 +91,8 @@ class LuoWu(Diffusion):
         growth = 1.0 + share[near % 2] * near_part
         side = share[far % 2] * (1.0 - nearness)
         directions = (problem.per_cell(d.astype(np.uint8), border=NO_DIRECTION) for d in (near, far))
+        if self.source != FORCE_EDGE:
+            gains = (problem.per_cell(n, border=0.0) for n in (share[near % 2] * near_part, side))
+            return Spread(*directions, *gains)
         numbers = (problem.per_cell(n, border=1.0) for n in (growth, growth**problem.settings.alpha, side))
         return OwnState(*directions, *numbers)

@@ -108,13 +108,13 @@ def test_weights_grow_by_the_power_alpha() -> None:
 @pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
 def test_on_every_cell_it_does_what_the_reference_does(moves: str) -> None:
     grid = random_grid(11, 9, 12, moves, density=0.35)
-    problem, part = problem_on(grid), Gaussian(gamma=0.4)
+    problem, part, reference = problem_on(grid), Gaussian(gamma=0.4), Reference("pd", gamma=0.4)
     colony, own = colony_on(problem), part.prepare(problem)
-    forces = forces_of(grid, Reference("pd"))
+    forces = forces_of(grid, reference)
     allowed = problem.allowed_edges()
     tau = {((int(r), int(c)), int(d)): 1.0 for r, c, d in np.argwhere(allowed)}
     for cell, force in forces.items():
-        diffuse_gaussian(tau, cell, force, 0.4)
+        diffuse_gaussian(tau, cell, None, force, reference)
         part.kernel(colony, own, 0, number_of(problem, cell), 8)
     for (cell, direction), expected in tau.items():
         assert math.isclose(level(colony, number_of(problem, cell) * 8 + direction), expected, rel_tol=1e-12)

@@ -99,14 +99,14 @@ def test_nothing_diffuses_where_no_force_acts() -> None:
 @pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
 def test_on_every_cell_it_does_what_the_reference_does(moves: str) -> None:
     grid = random_grid(12, 9, 12, moves, density=0.35)
-    problem, part = problem_on(grid), LuoWu(gamma=0.4)
+    problem, part, reference = problem_on(grid), LuoWu(gamma=0.4), Reference("pf", gamma=0.4)
     colony, own = colony_on(problem), part.prepare(problem)
     tau = {((int(r), int(c)), int(d)): 1.0 for r, c, d in np.argwhere(problem.allowed_edges())}
     for cell, direction in tau:
         tau[cell, direction] = 1.0 + direction
         set_level(colony, number_of(problem, cell) * 8 + direction, 1.0 + direction)
-    for cell, force in forces_of(grid, Reference("pf")).items():
-        diffuse_luo_wu(tau, cell, force, 0.4)
+    for cell, force in forces_of(grid, reference).items():
+        diffuse_luo_wu(tau, cell, None, force, reference)
         part.kernel(colony, own, 0, number_of(problem, cell), 8)
     for (cell, direction), expected in tau.items():
         assert math.isclose(level(colony, number_of(problem, cell) * 8 + direction), expected, rel_tol=1e-12)

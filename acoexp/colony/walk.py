@@ -1,0 +1,136 @@
+"""Walking: how the ants of a cycle get from the start to the goal, one after another or all together.
+
+An order makes two kernels from those of choice and diffusion: ``walk_together(colony, crowd, own, raw)``, called
+once a cycle, and ``walk(colony, own, raw, ant)``, called for each ant after that. One of the two does the work.
+Both write the ants' ways into ``raw`` and return False if a choice made a move that is not allowed, or never came
+to an end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.compiled import compiled
+from acoexp.colony.state import LOST, NO_WAY_HERE, Colony
+from acoexp.colony.tabu import forget, touch
+from acoexp.colony.trails import measure
+
+Kernel = Callable[..., Any]
+Order = Callable[[Kernel, Kernel], tuple[Kernel, Kernel]]
+
+
+class Crowd(NamedTuple):
+    """Ants that walk at the same time.
+
+    Attributes:
+        cell: int64[ants], where each is.
+        walks: bool[ants], whether it walks on.
+        untouched: float64[ants, cells], to each ant what ``Colony.untouched`` is to one that walks alone.
+    """
+
+    cell: NDArray[np.int64]
+    walks: NDArray[np.bool_]
+    untouched: NDArray[np.float64]
+
+
+def new_crowd(ants: int, cells: int) -> Crowd:
+    """Return so many ants on a map of so many cells (border included)."""
+    return Crowd(
+        np.zeros(ants, dtype=np.int64), np.zeros(ants, dtype=np.bool_), np.ones((ants, cells), dtype=np.float64)
+    )
+
+
+def in_turn(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
+    """Each ant sets out when the one before has arrived, or is lost."""
+
+    @compiled
+    def walk(colony: Any, own: Any, raw: Any, ant: Any) -> Any:
+        cell, came = colony.start, NO_WAY_HERE
+        touch(colony, cell)
+        steps = straight = 0
+        move = LOST
+        while cell != colony.goal and steps < raw.moves.shape[1]:
+            diffuse(colony, own.diffusion, ant, cell, came)
+            move = choose(colony, own.choice, ant, cell, came)
+            if not colony.allowed[np.uintp(cell)] >> np.uint8(move) & 1:  # also where the ant is lost
+                break
+            raw.moves[np.uintp(ant), np.uintp(steps)] = move
+            steps += 1
+            straight += 1 - (move & 1)
+            cell += colony.offsets[np.uintp(move)]
+            touch(colony, cell)
+            came = move
+        measure(raw, ant, steps, straight)
+        if cell != colony.goal:
+            raw.length[ant] = np.inf
+        forget(colony, raw, ant)
+        return cell == colony.goal or move == LOST
+
+    return _nobody_walks, walk
+
+
+def lock_step(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
+    """All set out together, and make one step each in turn, until every one has arrived or is lost."""
+
+    @compiled
+    def step(colony: Any, crowd: Any, own: Any, raw: Any, ant: Any) -> Any:
+        cell, steps = crowd.cell[ant], raw.steps[ant]
+        came = np.int64(raw.moves[ant, steps - 1]) if steps > 0 else NO_WAY_HERE
+        diffuse(colony, own.diffusion, ant, cell, came)
+        move = choose(colony, own.choice, ant, cell, came)
+        if not colony.allowed[cell] >> np.uint8(move) & 1:
+            crowd.walks[ant] = False
+            return move == LOST
+        raw.moves[ant, steps] = move
+        raw.steps[ant] += 1
+        raw.straight[ant] += 1 - (move & 1)
+        cell += colony.offsets[move]
+        touch(colony, cell)
+        crowd.cell[ant] = cell
+        crowd.walks[ant] = cell != colony.goal and raw.steps[ant] < raw.moves.shape[1]
+        return crowd.walks[ant] or cell == colony.goal
+
+    @compiled
+    def walk_together(colony: Any, crowd: Any, own: Any, raw: Any) -> bool:
+        for ant in range(colony.ants):
+            crowd.cell[ant], crowd.walks[ant] = colony.start, True
+            touch(_as_seen_by(colony, crowd, ant), colony.start)
+            measure(raw, ant, 0, 0)
+        sound = walking = True
+        while walking:
+            walking = False
+            for ant in range(colony.ants):
+                if crowd.walks[ant]:
+                    sound &= step(_as_seen_by(colony, crowd, ant), crowd, own, raw, ant)
+                    walking |= crowd.walks[ant]
+        for ant in range(colony.ants):
+            measure(raw, ant, raw.steps[ant], raw.straight[ant])
+            if crowd.cell[ant] != colony.goal:
+                raw.length[ant] = np.inf
+            forget(_as_seen_by(colony, crowd, ant), raw, ant)
+        return sound
+
+    return walk_together, _has_walked
+
+
+ORDERS: dict[str, Order] = {"in_turn": in_turn, "lock_step": lock_step}
+
+
+@compiled
+def _nobody_walks(colony: Any, crowd: Any, own: Any, raw: Any) -> bool:
+    return True
+
+
+@compiled
+def _has_walked(colony: Any, own: Any, raw: Any, ant: Any) -> bool:
+    return True
+
+
+@compiled
+def _as_seen_by(colony: Any, crowd: Any, ant: Any) -> Any:
+    """Return the colony with the tabu of one ant of a crowd."""
+    return Colony(*(*colony[:-1], crowd.untouched[ant]))

@@ -1,0 +1,93 @@
+"""The ants of a cycle walk one after another, or in lock step; each has its own tabu."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from samples import colony_on, problem_on
+
+from acoexp import Grid
+from acoexp.colony.compiled import compiled
+from acoexp.colony.loop import Own
+from acoexp.colony.state import NO_WAY_HERE, new_trails
+from acoexp.colony.walk import ORDERS, new_crowd
+from acoexp.strategies.choice.roulette import spin
+from acoexp.strategies.diffusion.none import stay
+
+CORRIDOR = Grid([[0, 0, 0, 0]], start=(0, 0), goal=(0, 3))
+RING = Grid([[0, 0, 0], [0, 1, 0], [0, 0, 0]], start=(0, 0), goal=(2, 2), moves="no_cut")
+
+
+class Diary(NamedTuple):
+    """Room for what ``note`` writes down."""
+
+    entries: NDArray[np.int64]
+    pages: NDArray[np.int64]
+
+
+@compiled
+def note(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> None:
+    """Write down who walks, where it is and where it came from."""
+    page = own.pages[own.entries[0]]
+    page[0], page[1], page[2] = ant, cell, came
+    own.entries[0] += 1
+
+
+@compiled
+def go_south(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    return 6
+
+
+@compiled
+def go_to_and_fro(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    return 0 if came == NO_WAY_HERE or came == 4 else 4
+
+
+def walked(order: str, grid: Grid, ants: int, choose: Any = spin, diffuse: Any = stay, own: Any = ()) -> Any:
+    """Let the ants of one cycle walk: whether they kept to the contract, their trails, and the colony."""
+    problem = problem_on(grid, ants=ants)
+    colony = colony_on(problem)
+    cells = colony.allowed.size
+    trails, crowd = new_trails(ants, cells), new_crowd(ants, cells)
+    state = Own((), own, (), ())
+    walk_together, walk = ORDERS[order](choose, diffuse)
+    with np.errstate(over="ignore"):
+        sound = walk_together(colony, crowd, state, trails)
+        sound = all([sound, *(walk(colony, state, trails, ant) for ant in range(ants))])
+    assert (colony.untouched == 1.0).all()  # nothing is tabu any more, whatever happened
+    assert (crowd.untouched == 1.0).all()
+    return sound, trails, colony
+
+
+@pytest.mark.parametrize(("order", "ants"), [("in_turn", [0, 0, 0, 1, 1, 1]), ("lock_step", [0, 1, 0, 1, 0, 1])])
+def test_whose_turn_it_is(order: str, ants: list[int]) -> None:
+    diary = Diary(np.zeros(1, dtype=np.int64), np.zeros((10, 3), dtype=np.int64))
+    sound, trails, colony = walked(order, CORRIDOR, ants=2, diffuse=note, own=diary)
+    assert sound
+    assert trails.length.tolist() == [3.0, 3.0]
+    pages = diary.pages[: diary.entries[0]]
+    assert pages[:, 0].tolist() == ants
+    for ant in (0, 1):
+        ways = [[colony.start, NO_WAY_HERE], [colony.start + 1, 0], [colony.start + 2, 0]]
+        assert pages[pages[:, 0] == ant, 1:].tolist() == ways
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_no_ant_is_kept_from_where_another_has_been(order: str) -> None:
+    """In a corridor all go the same way; on a ring, where none can turn back, some go left and some right."""
+    sound, trails, _ = walked(order, RING, ants=30)
+    assert sound
+    assert trails.length.tolist() == [4.0] * 30
+    assert {tuple(moves) for moves in trails.moves[:, :4].tolist()} == {(0, 0, 6, 6), (6, 6, 0, 0)}
+    assert trails.straight.tolist() == trails.steps.tolist() == [4] * 30
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("choose", [go_south, go_to_and_fro], ids=["into a wall", "for ever"])
+def test_a_choice_that_breaks_its_contract_is_noticed(choose: Any, order: str) -> None:
+    sound, trails, _ = walked(order, CORRIDOR, ants=2, choose=choose)
+    assert not sound
+    assert np.isinf(trails.length).all()
