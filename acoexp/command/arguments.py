@@ -11,6 +11,7 @@ from typing import NamedTuple, NoReturn
 
 from hydra._internal.utils import get_args_parser
 from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.core.override_parser.types import Override
 from hydra.errors import OverrideParseException
 
 from acoexp import registry
@@ -78,6 +79,8 @@ def normalise(argv: list[str]) -> Arguments:
     runs = not any(others)
     if runs and not flags.multirun:
         _refuse_sweeps(given, overrides)
+    if flags.multirun:
+        overrides = _put_off(overrides)
     # overrides first: an option with an optional value, such as --info, must not take one for its value
     argv = [*overrides, *(_folders(overrides) if runs else ()), *_without_config_dir(options)]
     return Arguments(argv, flags.config_dir, flags.info)
@@ -139,15 +142,37 @@ def _expand(override: str) -> str:
 
 
 def _refuse_sweeps(given: list[str], overrides: list[str]) -> None:
-    try:
-        parsed = OverridesParser.create().parse_overrides(overrides)
-    except OverrideParseException as problem:
-        raise SettingsError(str(problem).splitlines()[0]) from problem
+    parsed = _parsed(overrides)
     if any(override.key_or_group == "hydra.mode" for override in parsed):
         return
     for text, override in zip(given, parsed, strict=True):
         if override.is_sweep_override():
             raise SettingsError(f"{text}: several values; add -m to run them all")
+
+
+def _put_off(overrides: list[str]) -> list[str]:
+    """Write ``diffusion.keep=1`` as a sweep of one value where the diffusion is swept.
+
+    Else Hydra would look for that parameter in the part that there is before the sweep, too.
+    """
+    parsed = _parsed(overrides)
+    swept = {override.key_or_group for override in parsed if override.is_sweep_override()}
+    if "algo" in swept:
+        swept.update(registry.STRATEGY_GROUPS)
+    texts = []
+    for text, override in zip(overrides, parsed, strict=True):
+        key, _, value = text.partition("=")
+        group, dot, _ = key.partition(".")
+        waits = dot and value and group in swept and not override.is_sweep_override()
+        texts.append(f"{key}=choice({value})" if waits else text)
+    return texts
+
+
+def _parsed(overrides: list[str]) -> list[Override]:
+    try:
+        return OverridesParser.create().parse_overrides(overrides)
+    except OverrideParseException as problem:
+        raise SettingsError(str(problem).splitlines()[0]) from problem
 
 
 def _refuse_nothing(override: str) -> None:

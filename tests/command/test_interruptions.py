@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
-from running import QUICK, environment, records, run_acoexp, trials
+from running import QUICK, environment, install, records, run_acoexp, trials
 
 posix = pytest.mark.skipif(os.name != "posix", reason="signals and pseudo terminals of POSIX")
 
@@ -54,21 +54,13 @@ absent = no_such_package:Absent
 def plugin(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """Return the environment in which a package with faulty parts is installed."""
     site = tmp_path_factory.mktemp("site")
-    (site / "faulty_parts").mkdir()
-    (site / "faulty_parts" / "__init__.py").write_text(PART, encoding="utf-8")
-    metadata = site / "faulty_parts-1.0.dist-info"
-    metadata.mkdir()
-    (metadata / "METADATA").write_text(
-        "Metadata-Version: 2.1\nName: faulty-parts\nVersion: 1.0\n", encoding="utf-8"
-    )
-    (metadata / "entry_points.txt").write_text(ENTRIES, encoding="utf-8")
-    return {"PYTHONPATH": os.pathsep.join([str(site), *filter(None, [os.environ.get("PYTHONPATH")])])}
+    return install(site, "faulty-parts", ENTRIES, {"faulty_parts/__init__.py": PART})
 
 
 @pytest.mark.parametrize(
     ("bad", "good", "said"),
     [
-        ("post=forgetful", "geometric", "post 'forgetful' of package faulty-parts 1.0 returned what is no path"),
+        ("post=forgetful", "geometric", "post 'forgetful' of package faulty-parts 1.0 broke its contract"),
         (
             "heuristic=raising",
             "goal_distance",

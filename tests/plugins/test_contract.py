@@ -10,6 +10,7 @@ from typing import Any
 
 import numba
 import pytest
+from running import install
 
 from acoexp import StrategyError
 from acoexp.strategies.choice.roulette import Roulette
@@ -74,7 +75,7 @@ class Wrapping(Diffusion):
 @pytest.fixture
 def contract_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     """Return a function that makes the tests of a faulty part."""
-    (tmp_path / "faulty_diffusions.py").write_text(PARTS, encoding="utf-8")
+    install(tmp_path, "faulty-diffusions", "", {"faulty_diffusions.py": PARTS})
     monkeypatch.syspath_prepend(tmp_path)
     module = import_module("faulty_diffusions")
 
