@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -37,29 +36,30 @@ def check_state(settings: Settings, group: str, state: Any) -> None:
 
 def not_compiled(settings: Settings, problem: Exception) -> StrategyError:
     """Return the error for a colony that cannot be compiled: the part at fault, why, and the author's line."""
-    place, authors = None, _foreign(settings)
-    for group in authors:
+    foreign, text = _foreign(settings), str(problem)
+    places = {}
+    for group in foreign:
         part = settings.parts[group]
-        functions = [*_function_of(part), *diagnosis.compiled_functions(type(part))]
-        place = diagnosis.place_of(problem, _sources(settings, group), functions)
-        if place is not None:
-            break
-    named = [
-        group for group in authors if any(repr(f) in str(problem) for f in _function_of(settings.parts[group]))
-    ]
-    faulty = named or ([group] if place is not None else authors)
+        functions = [part.kernel.py_func, *diagnosis.compiled_functions(type(part))]
+        places[group] = diagnosis.place_of(problem, _sources(settings, group), functions)
+    faulty = (
+        [group for group in foreign if repr(settings.parts[group].kernel.py_func) in text]
+        or [group for group in foreign if places[group] is not None]
+        or foreign
+    )
     who = " or ".join(told(settings, group) for group in faulty) or _colony(settings)
+    place = next((places[group] for group in faulty if places[group] is not None), None)
     return StrategyError(f"{who} cannot be compiled: {diagnosis.explain(problem)}{_at(place)}")
 
 
 def raised(settings: Settings, seed: int, problem: Exception) -> StrategyError:
     """Return the error for a kernel that raised, which kernels may not do."""
-    what = f"{type(problem).__name__}: {problem}"
-    for group in _foreign(settings):
-        place = diagnosis.raised_at(problem, _sources(settings, group))
-        if place is not None:
-            return StrategyError(f"kernel of {told(settings, group)} raised, seed {seed}: {what}{_at(place)}")
-    return StrategyError(f"a kernel of {_colony(settings)} raised, seed {seed}: {what}")
+    foreign = _foreign(settings)
+    places = {group: diagnosis.raised_at(problem, _sources(settings, group)) for group in foreign}
+    group = next((group for group in foreign if places[group] is not None), None)
+    who = f"a kernel of {_colony(settings)}" if group is None else f"the kernel of {told(settings, group)}"
+    at = f"; {suspects(settings)}" if group is None and foreign else _at(places.get(group or ""))
+    return StrategyError(f"{who} raised, seed {seed}: {type(problem).__name__}: {problem}{at}")
 
 
 def failed(settings: Settings, group: str, method: str, problem: Exception) -> StrategyError:
@@ -69,13 +69,11 @@ def failed(settings: Settings, group: str, method: str, problem: Exception) -> S
     return StrategyError(f"{told(settings, group)} failed in {method}: {what}{_at(place)}")
 
 
-def suspects(settings: Settings, groups: Sequence[str]) -> str:
-    """Return the words for the part that broke the contract, if it is one of these.
-
-    Built-in parts are tested, so the others are named where there are any.
-    """
+def suspects(settings: Settings) -> str:
+    """Return the words for the parts one of which broke the contract: those that are not built in, and tested."""
     foreign = _foreign(settings)
-    who = " or ".join(told(settings, group) for group in foreign or groups)
+    acting = [group for group, part in settings.parts.items() if getattr(part, "kernel", None) is not None]
+    who = " or ".join(told(settings, group) for group in foreign or acting)
     return f"most likely {who}" if foreign else who
 
 
@@ -87,11 +85,11 @@ def culprit(settings: Settings, group: str) -> str:
     foreign = _foreign(settings)
     if group in foreign or not foreign:
         return told(settings, group)
-    return f"{suspects(settings, foreign)} ({told(settings, group)} is built in)"
+    return f"{suspects(settings)} ({told(settings, group)} is built in)"
 
 
 def packages_of(settings: Settings) -> dict[str, str]:
-    """Return the package, with its version, of the part in each group; of parts that no package registers, none."""
+    """Return by group the package, with its version, that registers its part; a group is left out if none does."""
     packages = {group: _package(settings, group) for group in settings.parts}
     return {group: package for group, package in packages.items() if package is not None}
 
@@ -106,11 +104,6 @@ def _foreign(settings: Settings) -> list[str]:
 def _sources(settings: Settings, group: str) -> list[Path]:
     part = settings.parts[group]
     return diagnosis.sources_of(type(part), getattr(part, "kernel", None))
-
-
-def _function_of(part: Any) -> list[Any]:
-    kernel = getattr(part, "kernel", None)
-    return [] if kernel is None else [getattr(kernel, "py_func", kernel)]
 
 
 def _at(place: diagnosis.Place | None) -> str:

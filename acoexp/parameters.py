@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import sys
+import types
 import typing
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -95,8 +96,7 @@ def check_declarations(owner: type) -> None:
     Raises:
         SettingsError: if so.
     """
-    declared = {name for name, value in vars(owner).items() if isinstance(value, dataclasses.Field)}
-    if declared and not dataclasses.is_dataclass(owner):
+    if any(isinstance(value, dataclasses.Field) for value in vars(owner).values()):
         raise SettingsError(
             f"{owner.__name__} has parameters, but no @dataclass(frozen=True, kw_only=True) above it"
         )
@@ -150,8 +150,10 @@ def _checked(key: str, value: Any, hint: Any, field: dataclasses.Field[Any]) -> 
 
 def _kind(hint: Any) -> Any:
     """Return what a parameter is where it is not None."""
-    kinds = typing.get_args(hint) if typing.get_origin(hint) is not tuple else ()
-    return next((k for k in kinds if k is not type(None)), hint)
+    if typing.get_origin(hint) not in (typing.Union, types.UnionType):
+        return hint
+    kinds = [kind for kind in typing.get_args(hint) if kind is not type(None)]
+    return kinds[0] if len(kinds) == 1 else hint
 
 
 def _converted(value: Any, kind: Any) -> Any:

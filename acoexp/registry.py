@@ -16,16 +16,7 @@ from acoexp.errors import SettingsError, StrategyError, did_you_mean
 from acoexp.maps.source import MapSource
 from acoexp.parameters import check_declarations, fields_of
 from acoexp.report.report import Report
-from acoexp.strategies.part import (
-    CONTRACT,
-    Choice,
-    Diffusion,
-    Heuristic,
-    Post,
-    Update,
-    check_kernel,
-    check_methods,
-)
+from acoexp.strategies.part import CONTRACT, Choice, Diffusion, Heuristic, Post, Update, check_part
 
 log = logging.getLogger(__name__)
 
@@ -99,8 +90,8 @@ def strays() -> list[tuple[EntryPoint, str]]:
         group = entry.group.removeprefix("acoexp.")
         if group != entry.group and group not in (*GROUPS, "presets"):
             told = (
-                f"package {package_named(entry)} registers {entry.name} in the group {entry.group!r}, which acoexp "
-                f"does not have{did_you_mean(entry.group, [f'acoexp.{known}' for known in (*GROUPS, 'presets')])}"
+                f"package {package_named(entry)} registers {entry.name} under {entry.group}, which is no group of "
+                f"acoexp's{did_you_mean(entry.group, [f'acoexp.{known}' for known in (*GROUPS, 'presets')])}"
             )
             found[told] = entry, told
     return [found[told] for told in sorted(found)]
@@ -163,13 +154,13 @@ def check_contract(group: str, name: str, owner: type) -> None:
     asked: Any = getattr(owner, "contract", CONTRACT)
     if not isinstance(asked, int) or asked > CONTRACT:
         raise StrategyError(
-            f"{told} asks for version {asked} of the contract, and this acoexp has version {CONTRACT}; update acoexp"
+            f"{told} asks for version {asked} of the contract, and this acoexp has version {CONTRACT}; "
+            "update acoexp"
         )
     try:
         if package is not None or not is_dataclass(owner):  # else its fields are nobody's business
             check_declarations(owner)
-        check_methods(owner)
-        check_kernel(owner)
+        check_part(owner)
     except (SettingsError, StrategyError) as problem:
         raise StrategyError(f"{told}: {problem}") from problem
 

@@ -138,12 +138,12 @@ class Solver:
         """Blame the part that broke its contract, if one did."""
         if verdict > 0:
             raise StrategyError(
-                f"{blame.culprit(self.settings, 'post')} broke its contract, seed {seed}, cycle {verdict}: what the "
-                "post-optimiser returned is no path from start to goal; expected allowed moves"
+                f"{blame.culprit(self.settings, 'post')} broke its contract, seed {seed}, cycle {verdict}: "
+                "what the post-optimiser returned is no path from start to goal; expected allowed moves"
             )
         if verdict == UNSOUND:
             raise StrategyError(
-                f"{blame.suspects(self.settings, Own._fields)} broke its contract, seed {seed}: it made pheromone "
+                f"{blame.suspects(self.settings)} broke its contract, seed {seed}: it made pheromone "
                 "negative or not a number; expected numbers, at least 0"
             )
         if verdict == STOPPED:

@@ -105,23 +105,15 @@ CALLS = {
 """What the kernel of each kind of part is called with."""
 
 
-def check_methods(owner: type) -> None:
-    """Refuse a class that leaves out a method which its kind has to define.
-
-    Raises:
-        StrategyError: if it does.
-    """
-    missing = sorted(getattr(owner, "__abstractmethods__", ()))
-    if missing:
-        raise StrategyError(f"expected {owner.__name__} to define {' and '.join(missing)}")
-
-
-def check_kernel(owner: type) -> None:
-    """Refuse a part whose class names no kernel, or one that cannot be called as the loop calls it.
+def check_part(owner: type) -> None:
+    """Refuse a class that leaves out what its kind has to have, or whose kernel the loop could not call.
 
     Raises:
         StrategyError: if so.
     """
+    missing = sorted(getattr(owner, "__abstractmethods__", ()))
+    if missing:
+        raise StrategyError(f"expected {owner.__name__} to define {' and '.join(missing)}")
     call = next((call for kind, call in CALLS.items() if issubclass(owner, kind)), None)
     kernel = inspect.getattr_static(owner, "kernel", None)
     if call is None or isinstance(kernel, property) or (kernel is None and issubclass(owner, Post)):

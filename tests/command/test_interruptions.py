@@ -9,6 +9,7 @@ import sys
 import time
 from pathlib import Path
 
+import numba
 import pytest
 from running import QUICK, environment, install, records, run_acoexp, trials
 
@@ -18,7 +19,7 @@ PART = '''
 from dataclasses import dataclass
 
 from acoexp.colony.compiled import compiled
-from acoexp.strategies import Heuristic, Post
+from acoexp.strategies import Diffusion, Heuristic, Post
 
 
 @compiled
@@ -33,6 +34,18 @@ class Forgetful(Post):
     kernel = staticmethod(forget)
 
 
+@compiled
+def make_a_list(colony, own, ant, cell, came):
+    colony.random[0] = [cell][0]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Listing(Diffusion):
+    """Does not compile."""
+
+    kernel = staticmethod(make_a_list)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Raising(Heuristic):
     """Raises."""
@@ -41,6 +54,9 @@ class Raising(Heuristic):
         raise ZeroDivisionError("too bad")
 '''
 ENTRIES = """
+[acoexp.diffusion]
+listing = faulty_parts:Listing
+
 [acoexp.post]
 forgetful = faulty_parts:Forgetful
 
@@ -90,6 +106,16 @@ def test_a_part_whose_package_is_broken_is_refused_before_anything_runs(
         "acoexp: error: heuristic 'absent' of package faulty-parts 1.0 cannot be imported"
     )
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.slow_without_jit
+@pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
+def test_what_cannot_be_compiled_is_tried_and_told_of_once(plugin: dict[str, str], tmp_path: Path) -> None:
+    ended = run_acoexp("diffusion=listing,none", "-m", "seed=0-2", *QUICK, cwd=tmp_path, env=plugin)
+    assert ended.returncode == 1
+    assert ended.stderr.count("compiling the colony") <= 2, ended.stderr
+    assert ended.stderr.count("must not allocate") == 1, ended.stderr
+    assert "3 of 6 trials finished" in ended.stdout
 
 
 def test_a_broken_package_harms_nobody_who_does_not_use_it(plugin: dict[str, str], tmp_path: Path) -> None:
