@@ -155,15 +155,14 @@ def _put_off(overrides: list[str]) -> list[str]:
 
     Else Hydra would look for that parameter in the part that there is before the sweep, too.
     """
-    parsed = _parsed(overrides)
-    swept = {override.key_or_group for override in parsed if override.is_sweep_override()}
-    if "algo" in swept:
-        swept.update(registry.STRATEGY_GROUPS)
+    groups = (*registry.GROUPS, "algo")
+    of_parts = [text for text in overrides if re.split(r"[.=]", text)[0] in groups]
+    sweeps = {override.key_or_group for override in _parsed(of_parts) if override.is_sweep_override()}
+    swept = sweeps | ({*registry.STRATEGY_GROUPS} if "algo" in sweeps else set())
     texts = []
-    for text, override in zip(overrides, parsed, strict=True):
+    for text in overrides:
         key, _, value = text.partition("=")
-        group, dot, _ = key.partition(".")
-        waits = dot and value and group in swept and not override.is_sweep_override()
+        waits = text in of_parts and "." in key and key not in sweeps and key.partition(".")[0] in swept and value
         texts.append(f"{key}=choice({value})" if waits else text)
     return texts
 
