@@ -11,6 +11,7 @@ from running import install
 
 import acoexp
 from acoexp import SettingsError, StrategyError, presets, registry
+from acoexp.command.options import UserOptions
 from acoexp.command.parts import parts_text
 from acoexp.presets import find_preset, preset_names
 
@@ -321,6 +322,12 @@ def test_a_broken_preset_is_named_with_its_package(name: str) -> None:
 def test_a_part_that_refuses_its_parameters_is_a_matter_of_settings() -> None:
     with pytest.raises(SettingsError, match=r"^diffusion: ValueError: half is too much; got {'share': 0.5}$"):
         acoexp.solve("env2", "aco", diffusion="picky")
+
+
+@pytest.mark.parametrize("name", ["torn", "misnamed"])
+def test_hydra_gets_no_preset_that_python_would_not_take(name: str, tmp_path: Path) -> None:
+    with pytest.raises(StrategyError, match=rf"algo '{name}' of package bad-parts 1.0: .*{name}.yaml"):
+        UserOptions("bad-parts", f"options://{tmp_path}/bad_parts/conf").load_config(f"algo/{name}")
 
 
 def test_what_is_wrong_in_a_preset_is_told_with_its_file() -> None:
