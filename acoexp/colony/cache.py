@@ -34,6 +34,9 @@ _CHECKSUM_BYTES = 32
 _NOT_OF_THE_CODE = {"NUMBA_NUM_THREADS"}
 """Settings of numba's that change no machine code; joblib gives its workers one."""
 
+_failed: dict[tuple[Any, Any], Exception] = {}
+"""Why a loop cannot be compiled: the jobs of a sweep need not try it one after the other."""
+
 
 def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) -> None:
     """Give a loop its machine code for arguments of the types of ``example``.
@@ -52,6 +55,16 @@ def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) 
     signature = tuple(typeof(argument) for argument in example)
     if signature in loop.overloads:
         return
+    if (loop, signature) in _failed:
+        raise _failed[loop, signature]
+    try:
+        _compile_or_load(loop, kernels, signature)
+    except Exception as problem:
+        _failed[loop, signature] = problem
+        raise
+
+
+def _compile_or_load(loop: Any, kernels: tuple[Any, ...], signature: tuple[Any, ...]) -> None:
     folder = _usable_folder(kernels)
     if folder is not None:
         loop._cache = KernelCache(folder)

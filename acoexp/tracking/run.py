@@ -12,6 +12,7 @@ from secrets import token_hex
 from subprocess import DEVNULL, SubprocessError, check_output
 from typing import TYPE_CHECKING
 
+from acoexp.blame import packages_of
 from acoexp.tracking.owner import this_process
 from acoexp.tracking.setup import Setup
 from acoexp.tracking.store import Store
@@ -157,6 +158,7 @@ def _now() -> str:
 def tags_of(setup: Setup) -> dict[str, str]:
     """Return what is known of a setup besides its parameters, as tags."""
     tags = {"map.digest": setup.grid.digest, CELL: setup.cell, "acoexp.version": version("acoexp")}
+    tags |= {f"{group}.package": package for group, package in packages_of(setup.settings).items()}
     commit = _git_commit()
     return {**tags, "mlflow.source.git.commit": commit} if commit else tags
 
