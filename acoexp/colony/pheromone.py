@@ -37,12 +37,14 @@ def level(colony: Any, edge: Any) -> Any:
 def deposit(colony: Any, edge: Any, amount: Any) -> None:
     """Add pheromone to an edge."""
     _store(colony, edge, colony.stored[edge] + amount / colony.scale[0])
+    _share(colony, edge, False)
 
 
 @compiled
 def set_level(colony: Any, edge: Any, amount: Any) -> None:
     """Give an edge this level of pheromone."""
     _store(colony, edge, amount / colony.scale[0])
+    _share(colony, edge, False)
 
 
 @compiled
@@ -53,9 +55,9 @@ def multiply(colony: Any, edge: Any, factor: Any, factor_to_alpha: Any) -> None:
     if stored <= colony.highest_stored and weight >= _SMALLEST_EXACT:
         colony.stored[np.uintp(edge)] = stored
         colony.weight[np.uintp(edge)] = weight
-        _share(colony, edge, False)
     else:
         _store(colony, edge, stored)
+    _share(colony, edge, False)
 
 
 @compiled
@@ -139,7 +141,6 @@ def _store(colony: Any, edge: Any, stored: Any) -> None:
     colony.stored[edge] = stored
     if colony.weight[edge] >= 0.0:
         _weigh(colony, edge)
-    _share(colony, edge, False)
 
 
 @compiled
