@@ -10,8 +10,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import is_dataclass
 from functools import cache
 from importlib.metadata import EntryPoint, distributions, entry_points
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
+from acoexp.diagnosis import raised_at
 from acoexp.errors import SettingsError, StrategyError, did_you_mean
 from acoexp.maps.source import MapSource
 from acoexp.parameters import build, check_declarations, fields_of
@@ -201,7 +204,7 @@ def _load(entry: EntryPoint, group: str) -> Any:
     except Exception as problem:
         raise StrategyError(
             f"{group} {entry.name!r} of package {package_named(entry)} cannot be imported from {entry.value}: "
-            f"{type(problem).__name__}: {problem}"
+            f"{type(problem).__name__}: {problem}{_where(entry, problem)}"
         ) from problem
     kind = {**STRATEGIES, "map": MapSource, "report": Report}.get(group, object)
     if not (isinstance(part, type) and is_dataclass(part) and issubclass(part, kind)):
@@ -211,6 +214,17 @@ def _load(entry: EntryPoint, group: str) -> Any:
         )
     check_contract(group, entry.name, part)
     return part
+
+
+def _where(entry: EntryPoint, problem: Exception) -> str:
+    """Return the last line of a package's own that the error of its import passed through."""
+    try:
+        spec = find_spec(entry.value.partition(":")[0].partition(".")[0])
+    except (ImportError, ValueError):
+        return ""
+    files = [] if spec is None else [*(spec.submodule_search_locations or ()), spec.origin or ""]
+    place = raised_at(problem, [Path(file) for file in files if file])
+    return "" if place is None else f"; {place}"
 
 
 def _is_ours(entry: EntryPoint) -> bool:

@@ -80,6 +80,7 @@ def normalise(argv: list[str]) -> Arguments:
         raise SettingsError("expected only one of --run, --multirun, --cfg, --info, --help and -sc")
     runs = not any(others)
     if runs and not flags.multirun:
+        _refuse_engines(overrides)
         _refuse_sweeps(given, overrides)
     if flags.multirun:
         overrides = _put_off(overrides)
@@ -158,6 +159,12 @@ def _expand(override: str) -> str:
     if len(numbers) > MOST_JOBS:
         raise SettingsError(f"{key}: expected at most {MOST_JOBS} values, each a job; got {value!r}")
     return f"{key}={','.join(map(str, numbers))}"
+
+
+def _refuse_engines(overrides: list[str]) -> None:
+    for override in overrides:
+        if override.startswith("engine=") and override != "engine=basic":
+            raise SettingsError(f"{override}: an engine runs the jobs of a sweep; expected -m with it")
 
 
 def _refuse_sweeps(given: list[str], overrides: list[str]) -> None:

@@ -22,10 +22,12 @@ class Cell(NamedTuple):
 
     Attributes:
         label: What it is called in tables: its name, or else its text.
+        text: Its preset and overrides.
         settings: What it resolves to.
     """
 
     label: str
+    text: str
     settings: Settings
 
 
@@ -57,7 +59,7 @@ def _parse(text: str, base: Mapping[str, Any]) -> Cell:
         merged = {**base, **given}
         if isinstance(base.get("field"), Mapping) and isinstance(given.get("field"), Mapping):
             merged["field"] = {**base["field"], **given["field"]}
-        return Cell(label, resolve(algo, merged))
+        return Cell(label, described, resolve(algo, merged))
     except (SettingsError, StrategyError) as problem:
         raise type(problem)(f"report.cells: {text!r}: {problem}") from problem
 

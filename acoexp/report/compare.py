@@ -93,9 +93,10 @@ class Compare(Report):
             (folder / name).write_text(text, encoding="utf-8")
 
     def _lead(self, cells: Sequence[Cell], grids: Sequence[Grid]) -> str:
+        named = "".join(f" {cell.label} is {cell.text}." for cell in cells if cell.label != cell.text)
         return (
             f"{len(cells)} configurations on {', '.join(grid.name for grid in grids)}: {self.trials} trials each, "
-            f"seeds 0 to {self.trials - 1} for all. acoexp {version('acoexp')}.{_warning(cells)}"
+            f"seeds 0 to {self.trials - 1} for all. acoexp {version('acoexp')}.{named}{_warning(cells)}"
         )
 
     def _origin(self, cells: Sequence[Cell], grids: Sequence[Grid]) -> Row:

@@ -11,7 +11,7 @@ import re
 import sqlite3
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager, nullcontext
+from contextlib import closing, contextmanager
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -32,6 +32,7 @@ PATIENCE = 90.0
 
 _SQLITE = "sqlite:///"
 _PAGE = 1000
+_LOCK = 0x61636F657870  # "acoexp"
 _T = TypeVar("_T")
 
 _gave_up: set[str] = set()
@@ -64,9 +65,7 @@ class Store:
         with self._reporting("cannot be opened"), _few_retries():
             if self.file is not None:
                 self.file.parent.mkdir(parents=True, exist_ok=True)
-            # several processes that migrate one fresh database at once all fail
-            lock = FileLock(f"{self.file}.lock") if self.file is not None else nullcontext()
-            with lock:
+            with self._alone():
                 if self.file is not None:
                     _check_writable(self.file)
                 experiment = self.client.get_experiment_by_name(EXPERIMENT)
@@ -132,6 +131,25 @@ class Store:
         if experiment is None:
             raise TrackingError(f"tracking.uri: no experiment {EXPERIMENT!r} at {self.shown}")
         return str(experiment.experiment_id)
+
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        """Keep other processes out: several that migrate one fresh database at once all fail."""
+        if self.file is not None:
+            with FileLock(f"{self.file}.lock"):
+                yield
+        elif self.uri.startswith("postgresql"):
+            from sqlalchemy import create_engine, text
+
+            engine = create_engine(self.uri)
+            try:
+                with engine.connect() as connection:  # the lock is the connection's, and ends with it
+                    connection.execute(text(f"SELECT pg_advisory_lock({_LOCK})"))
+                    yield
+            finally:
+                engine.dispose()
+        else:  # a server has one of its own
+            yield
 
     def _artifacts(self) -> str | None:
         """Return where artifacts go: beside a local database, else wherever the server puts them."""

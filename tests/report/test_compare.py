@@ -109,6 +109,7 @@ def test_cells_with_names_are_called_by_them_and_those_of_one_effort_are_not_war
     assert ended.returncode == 0, ended.stderr
     assert re.search(r"^fig13 +more +\d/3 ", ended.stdout, re.M)
     report = (tmp_path / "outputs/reports/compare/report.md").read_text("utf-8")
+    assert "plain is aco. more is pd." in report
     assert "Warning" not in report
 
 
