@@ -95,15 +95,7 @@ def eight_at_once(uri: str, home: Path, env: Mapping[str, str]) -> str:
     """Run eight commands side by side, each with three short trials, to one store; return what they say."""
     writers = [
         subprocess.Popen(
-            [
-                sys.executable,
-                "-m",
-                "acoexp",
-                "-m",
-                f"seed={3 * n}-{3 * n + 2}",
-                "iterations=3",
-                f"tracking.uri={uri}",
-            ],
+            [sys.executable, "-m", "acoexp", "-m", seeds, "iterations=3", f"tracking.uri={uri}"],
             cwd=home,
             env=environment(env),
             stdout=subprocess.DEVNULL,
