@@ -5,6 +5,10 @@ Every message names the key or file at fault, what was expected and what came.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from difflib import get_close_matches
+from typing import Any
+
 
 class AcoexpError(Exception):
     """Base of all errors that acoexp raises on purpose: one sentence for the user, no traceback needed."""
@@ -24,3 +28,9 @@ class StrategyError(AcoexpError, RuntimeError):
 
 class TrackingError(AcoexpError, OSError):
     """The store of results cannot be reached or written."""
+
+
+def did_you_mean(given: Any, known: Iterable[str]) -> str:
+    """Return the end of a message that refuses a word: the known one that is most like it, if one is."""
+    like = get_close_matches(str(given), list(known), n=1, cutoff=0.8)
+    return f"; did you mean {like[0]}?" if like else ""

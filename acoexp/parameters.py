@@ -9,13 +9,17 @@ from __future__ import annotations
 
 import dataclasses
 import sys
+import types
 import typing
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from acoexp.errors import SettingsError
+from acoexp.errors import SettingsError, did_you_mean
+
+_KINDS = (float, int, str, bool, tuple[str, ...], tuple[int, int])
+"""The types that a parameter may have, each also with ``| None``."""
 
 REQUIRED = "???"
 """Default of a parameter that must be given; also OmegaConf's mark for a missing value."""
@@ -71,7 +75,14 @@ def build(owner: type, values: Mapping[str, Any], prefix: str = "") -> Any:
     Raises:
         SettingsError: for an unknown name, a missing value, a wrong type, or a value out of range.
     """
-    return owner(**check(owner, {**defaults_of(owner), **values}, prefix))
+    checked = check(owner, {**defaults_of(owner), **values}, prefix)
+    try:
+        return owner(**checked)
+    except SettingsError:
+        raise
+    except Exception as problem:  # its own __post_init__ refuses them
+        where = prefix.rstrip(".") or owner.__name__
+        raise SettingsError(f"{where}: {type(problem).__name__}: {problem}; got {checked}") from problem
 
 
 def check(owner: type, values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
@@ -80,8 +91,37 @@ def check(owner: type, values: Mapping[str, Any], prefix: str = "") -> dict[str,
     for name in values:
         if name not in declared:
             known = ", ".join(prefix + other for other in declared) or "none: it has no parameters"
-            raise SettingsError(f"{prefix}{name} is not a known key; expected one of: {known}")
+            like = did_you_mean(name, declared)
+            raise SettingsError(f"{prefix}{name} is not a known key; expected one of: {known}{like}")
     return {n: _checked(prefix + n, value, hints[n], declared[n]) for n, value in values.items()}
+
+
+def check_declarations(owner: type) -> None:
+    """Refuse a dataclass whose fields are not all parameters of types that a value can be checked for.
+
+    Raises:
+        SettingsError: if so.
+    """
+    if any(isinstance(value, dataclasses.Field) for value in vars(owner).values()):
+        raise SettingsError(
+            f"{owner.__name__} has parameters, but no @dataclass(frozen=True, kw_only=True) above it"
+        )
+    if not dataclasses.is_dataclass(owner):
+        return
+    try:
+        hints = typing.get_type_hints(owner)
+    except Exception as problem:
+        reason = f"{type(problem).__name__}: {problem}"
+        raise SettingsError(f"the types of the fields of {owner.__name__} are not known: {reason}") from problem
+    for field in dataclasses.fields(owner):
+        if "meaning" not in field.metadata:
+            raise SettingsError(f"{field.name} is a field without parameter()")
+        if _kind(hints[field.name]) not in _KINDS:
+            known = ", ".join(str(getattr(kind, "__name__", kind)) for kind in (float, int, str, bool))
+            raise SettingsError(
+                f"{field.name}: expected one of the types {known}, tuple[str, ...] and tuple[int, int], or one of "
+                f"them | None; got {hints[field.name]}"
+            )
 
 
 def expected(hint: Any, field: dataclasses.Field[Any]) -> str:
@@ -116,8 +156,10 @@ def _checked(key: str, value: Any, hint: Any, field: dataclasses.Field[Any]) -> 
 
 def _kind(hint: Any) -> Any:
     """Return what a parameter is where it is not None."""
-    kinds = typing.get_args(hint) if typing.get_origin(hint) is not tuple else ()
-    return next((k for k in kinds if k is not type(None)), hint)
+    if typing.get_origin(hint) not in (typing.Union, types.UnionType):
+        return hint
+    kinds = [kind for kind in typing.get_args(hint) if kind is not type(None)]
+    return kinds[0] if len(kinds) == 1 else hint
 
 
 def _converted(value: Any, kind: Any) -> Any:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from importlib.metadata import entry_points
+from importlib.metadata import EntryPoint, entry_points
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,7 @@ from typing import Any
 import yaml
 
 from acoexp.errors import SettingsError, StrategyError
-from acoexp.registry import STRATEGY_GROUPS, entries, package_named
+from acoexp.registry import STRATEGY_GROUPS, entries, not_found, package_named
 
 CUSTOM = "custom"
 """Label of results whose parts are not those of the preset they started from."""
@@ -50,16 +50,33 @@ def conf_dir() -> Path:
 def plugin_conf_dirs() -> dict[Path, str]:
     """Return the folders of configs that other packages bring, each with its package, in order of their names."""
     found: dict[Path, str] = {}
-    for entry in sorted(entry_points(group="acoexp.presets"), key=lambda e: (e.value, e.name)):
-        try:
-            spec = find_spec(entry.value.partition(".")[0].strip())
-            folders = spec.submodule_search_locations if spec is not None else None
-        except (ImportError, ValueError):
-            continue
-        for folder in folders or ():
-            if (Path(folder) / "conf").is_dir():
-                found.setdefault(Path(folder) / "conf", package_named(entry))
+    for entry in _preset_entries():
+        for folder in _conf_dirs_of(entry):
+            found.setdefault(folder, package_named(entry))
     return found
+
+
+def faults() -> list[str]:
+    """Say of each package that is to bring presets, and whose folder of them is not there, what is wrong."""
+    return [
+        f"presets of package {package_named(entry)}: expected a package {entry.value!r} with a folder conf/algo"
+        for entry in _preset_entries()
+        if not any((folder / "algo").is_dir() for folder in _conf_dirs_of(entry))
+    ]
+
+
+def _preset_entries() -> list[EntryPoint]:
+    return sorted(entry_points(group="acoexp.presets"), key=lambda entry: (entry.value, entry.name))
+
+
+def _conf_dirs_of(entry: EntryPoint) -> list[Path]:
+    """Return the folders ``conf`` of the package that an entry point names; none if it is not there."""
+    try:
+        spec = find_spec(entry.value.partition(".")[0].strip())
+    except (ImportError, ValueError):
+        return []
+    folders = (spec.submodule_search_locations if spec is not None else None) or ()
+    return [Path(folder, "conf") for folder in folders if Path(folder, "conf").is_dir()]
 
 
 def preset_names() -> list[str]:
@@ -90,16 +107,22 @@ def find_preset(name: Any) -> Preset:
         StrategyError: if its file is not one of a preset.
     """
     if not isinstance(name, str) or name not in _files():
-        raise SettingsError(f"algo: expected one of: {', '.join(preset_names())}; got {name!r}")
+        raise SettingsError(not_found("algo", name, preset_names()))
     path, package = _files()[name]
     try:
         return _read(name, path)
     except (OSError, ValueError, LookupError, TypeError, AttributeError, yaml.YAMLError) as problem:
         reason = " ".join(f"{type(problem).__name__}: {problem}".split())
         raise StrategyError(
-            f"algo {name!r} of package {package}: expected {path.name} to say algo: {name}, and in its defaults "
+            f"algo {name!r} of package {package}: expected {path} to say algo: {name}, and in its defaults "
             f"override /{', /'.join(STRATEGY_GROUPS)}; {reason}"
         ) from problem
+
+
+def told(name: str) -> str:
+    """Return the words for a preset, with its package and its file."""
+    path, package = _files()[name]
+    return f"algo {name!r} of package {package}, {path}"
 
 
 @cache

@@ -6,17 +6,20 @@ A part is never imported before it is asked for, so one broken package harms nob
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import is_dataclass
 from functools import cache
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import EntryPoint, distributions, entry_points
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
-from acoexp.errors import SettingsError, StrategyError
+from acoexp.diagnosis import raised_at
+from acoexp.errors import SettingsError, StrategyError, did_you_mean
 from acoexp.maps.source import MapSource
-from acoexp.parameters import build
+from acoexp.parameters import build, check_declarations, fields_of
 from acoexp.report.report import Report
-from acoexp.strategies.part import CONTRACT, Choice, Diffusion, Heuristic, Post, Update
+from acoexp.strategies.part import CONTRACT, Choice, Diffusion, Heuristic, Post, Update, check_part
 
 log = logging.getLogger(__name__)
 
@@ -66,7 +69,7 @@ def find(group: str, name: Any) -> Any:
             another; a built-in part is found all the same, and the other is left out with a warning.
     """
     if not isinstance(name, str) or name not in entries(group):
-        raise SettingsError(f"{group}: expected one of: {', '.join(names(group))}; got {name!r}")
+        raise SettingsError(not_found(group, name, names(group)))
     _settle(group, name)
     return _load(entries(group)[name], group)
 
@@ -78,7 +81,57 @@ def build_part(group: str, name: Any, parameters: Mapping[str, Any]) -> Any:
         SettingsError: if there is no such name, or for a parameter that its declaration does not allow.
         StrategyError: as :func:`find`.
     """
-    return build(find(group, name), parameters, f"{group}.")
+    owner = find(group, name)
+    check_keys(group, name, parameters)
+    return build(owner, parameters, f"{group}.")
+
+
+def not_found(group: str, name: Any, known: Iterable[str]) -> str:
+    """Say that a group has no part of this name, which it has, and what may have been meant."""
+    said = f"{group}: expected one of: {', '.join(known)}; got {name!r}"
+    if not isinstance(name, str):
+        return said
+    others = [other for other in GROUPS if other != group and name in entries(other)]
+    if others:
+        return f"{said}; there is {' and '.join(f'{other}={name}' for other in others)}"
+    astray = [told for entry, told in strays() if entry.name == name]
+    return f"{said}; {astray[0]}" if astray else said + did_you_mean(name, known)
+
+
+def strays() -> list[tuple[EntryPoint, str]]:
+    """Return the entry points in groups ``acoexp.*`` that there are not, each with what is to be said of it."""
+    found: dict[str, tuple[EntryPoint, str]] = {}
+    for entry in (entry for package in distributions() for entry in package.entry_points):
+        group = entry.group.removeprefix("acoexp.")
+        if group != entry.group and group not in (*GROUPS, "presets"):
+            told = (
+                f"package {package_named(entry)} registers {entry.name} under {entry.group}, which is no group of "
+                f"acoexp's{did_you_mean(entry.group, [f'acoexp.{known}' for known in (*GROUPS, 'presets')])}"
+            )
+            found[told] = entry, told
+    return [found[told] for told in sorted(found)]
+
+
+def check_keys(group: str, name: str, keys: Iterable[str]) -> None:
+    """Refuse parameters that not this part has, but another of its group.
+
+    Raises:
+        SettingsError: if there is one.
+    """
+    own = fields_of(find(group, name))
+    for key in keys:
+        told = None if key in own else key_of_another(group, name, key)
+        if told is not None:
+            raise SettingsError(told)
+
+
+def key_of_another(group: str, name: str, key: str) -> str | None:
+    """Say which other parts of a group have a parameter; None if none does. Broken parts are passed over."""
+    owners = [other for other in names(group) if other != name and key in _keys(group, other)]
+    if not owners:
+        return None
+    whose = " and ".join(f"{group}={owner}" for owner in owners)
+    return f"{group}.{key} is a key of {whose}, not of {group}={name}"
 
 
 def package_of(group: str, owner: type) -> str | None:
@@ -106,18 +159,25 @@ def clash(group: str, name: str) -> str | None:
 
 
 def check_contract(group: str, name: str, owner: type) -> None:
-    """Refuse a part that was written for a newer contract than this one.
+    """Refuse a part that was written for a newer contract than this one, or cannot be one of its group.
 
     Raises:
-        StrategyError: if it was.
+        StrategyError: if so.
     """
+    package = package_of(group, owner)
+    told = f"{group} {name!r}{f' of package {package}' if package else ''}"
     asked: Any = getattr(owner, "contract", CONTRACT)
     if not isinstance(asked, int) or asked > CONTRACT:
-        package = package_of(group, owner)
         raise StrategyError(
-            f"{group} {name!r}{f' of package {package}' if package else ''} asks for version {asked} of the "
-            f"contract, and this acoexp has version {CONTRACT}; update acoexp"
+            f"{told} asks for version {asked} of the contract, and this acoexp has version {CONTRACT}; "
+            "update acoexp"
         )
+    try:
+        if package is not None or not is_dataclass(owner):  # else its fields are nobody's business
+            check_declarations(owner)
+        check_part(owner)
+    except (SettingsError, StrategyError) as problem:
+        raise StrategyError(f"{told}: {problem}") from problem
 
 
 @cache
@@ -130,6 +190,13 @@ def _settle(group: str, name: str) -> None:
         log.warning("%s; until then it is the built-in one", problem)
 
 
+def _keys(group: str, name: str) -> list[str]:
+    try:
+        return list(fields_of(find(group, name)))
+    except StrategyError:
+        return []
+
+
 @cache
 def _load(entry: EntryPoint, group: str) -> Any:
     try:
@@ -137,7 +204,7 @@ def _load(entry: EntryPoint, group: str) -> Any:
     except Exception as problem:
         raise StrategyError(
             f"{group} {entry.name!r} of package {package_named(entry)} cannot be imported from {entry.value}: "
-            f"{type(problem).__name__}: {problem}"
+            f"{type(problem).__name__}: {problem}{_where(entry, problem)}"
         ) from problem
     kind = {**STRATEGIES, "map": MapSource, "report": Report}.get(group, object)
     if not (isinstance(part, type) and is_dataclass(part) and issubclass(part, kind)):
@@ -147,6 +214,17 @@ def _load(entry: EntryPoint, group: str) -> Any:
         )
     check_contract(group, entry.name, part)
     return part
+
+
+def _where(entry: EntryPoint, problem: Exception) -> str:
+    """Return the last line of a package's own that the error of its import passed through."""
+    try:
+        spec = find_spec(entry.value.partition(":")[0].partition(".")[0])
+    except (ImportError, ValueError):
+        return ""
+    files = [] if spec is None else [*(spec.submodule_search_locations or ()), spec.origin or ""]
+    place = raised_at(problem, [Path(file) for file in files if file])
+    return "" if place is None else f"; {place}"
 
 
 def _is_ours(entry: EntryPoint) -> bool:

@@ -8,10 +8,10 @@ from typing import Any
 
 from acoexp import registry
 from acoexp.colony.problem import ColonySettings
-from acoexp.errors import SettingsError
+from acoexp.errors import SettingsError, StrategyError, did_you_mean
 from acoexp.field import FieldSettings
 from acoexp.parameters import build, check, fields_of, values_of
-from acoexp.presets import CUSTOM, find_preset
+from acoexp.presets import CUSTOM, Preset, find_preset, told
 from acoexp.registry import STRATEGIES, STRATEGY_GROUPS
 
 
@@ -49,19 +49,39 @@ def resolve(algo: Any, values: Mapping[str, Any]) -> Settings:
 
     Raises:
         SettingsError: for an unknown key or name, and for any value that its declaration does not allow.
-        StrategyError: for a part whose package cannot be imported, or that asks for a newer contract.
+        StrategyError: for a part whose package cannot be imported, that asks for a newer contract or cannot be a
+            part of its group; and for a preset that sets what no settings can be.
     """
     preset = find_preset(algo)
+    try:
+        return _resolve(preset, values)
+    except SettingsError as problem:
+        if _refusal(preset) == str(problem):
+            raise StrategyError(f"{told(preset.name)}: {problem}") from problem
+        raise
+
+
+def _refusal(preset: Preset) -> str | None:
+    """Return what is wrong with a preset by itself, if anything is."""
+    try:
+        _resolve(preset, {})
+    except SettingsError as problem:
+        return str(problem)
+    return None
+
+
+def _resolve(preset: Preset, values: Mapping[str, Any]) -> Settings:
     given = _merge(preset.values, values)
     known = {*fields_of(ColonySettings), *STRATEGY_GROUPS, "field"}
     for key in given:
         if key not in known:
-            raise SettingsError(f"{key} is not a known key; expected one of: {', '.join(sorted(known))}")
+            like = did_you_mean(key, known)
+            raise SettingsError(f"{key} is not a known key; expected one of: {', '.join(sorted(known))}{like}")
     named = {g: _part(g, given.get(g, {}), preset.parts[g]) for g in STRATEGY_GROUPS}
     names = {group: name for group, (name, _) in named.items()}
     scalars = {key: value for key, value in given.items() if key in fields_of(ColonySettings)}
     return Settings(
-        label=algo if names == preset.parts else CUSTOM,
+        label=preset.name if names == preset.parts else CUSTOM,
         scalars=build(ColonySettings, scalars),
         field=build(FieldSettings, _mapping("field", given.get("field", {})), "field."),
         parts={group: part for group, (_, part) in named.items()},

@@ -197,20 +197,19 @@ class Solver:
         """Blame the part that broke its contract, if one did."""
         if verdict > 0:
             raise StrategyError(
-                f"{blame.told(self.settings, 'post')} returned what is no path from start to goal, in cycle "
-                f"{verdict} of seed {seed}; expected allowed moves"
+                f"{blame.culprit(self.settings, 'post')} broke its contract, seed {seed}, cycle {verdict}: "
+                "what the post-optimiser returned is no path from start to goal; expected allowed moves"
             )
         if verdict == UNSOUND:
-            suspects = " or ".join(blame.told(self.settings, group) for group in Own._fields)
             raise StrategyError(
-                f"{suspects} broke its contract, seed {seed}: it made pheromone negative or not a number; "
-                "expected numbers, at least 0"
+                f"{blame.suspects(self.settings)} broke its contract, seed {seed}: it made pheromone "
+                "negative or not a number; expected numbers, at least 0"
             )
         if verdict == STOPPED:
             raise AcoexpError(f"seed {seed} was stopped")
         if verdict == NO_PATH:
             raise StrategyError(
-                f"{blame.told(self.settings, 'choice')} broke its contract, seed {seed}: it made moves "
+                f"{blame.culprit(self.settings, 'choice')} broke its contract, seed {seed}: an ant made moves "
                 f"that are not allowed under the rule {self.grid.moves!r}; expected an open one, or LOST"
             )
 
@@ -231,7 +230,7 @@ class Solver:
         except AcoexpError:
             raise
         except Exception as problem:
-            raise blame.not_compiled(self.settings, kernels, problem) from problem
+            raise blame.not_compiled(self.settings, problem) from problem
 
     def _new_workspace(self, stop: NDArray[np.uint8]) -> Workspace:
         ants, cells = self.settings.scalars.ants, self._desirability.size // 8
@@ -265,9 +264,7 @@ class Solver:
         except AcoexpError:
             raise
         except Exception as problem:
-            raise StrategyError(
-                f"{blame.told(self.settings, group)} failed in {method}: {type(problem).__name__}: {problem}"
-            ) from problem
+            raise blame.failed(self.settings, group, method, problem) from problem
 
     def _weigh_moves(self) -> NDArray[np.float64]:
         """Return eta^beta, float64[edges], 0 where a move is not allowed."""

@@ -63,6 +63,26 @@ def refusal(*args: str, cwd: Path, **options: Any) -> str:
     return ended.stderr.removeprefix("acoexp: error: ").rstrip("\n")
 
 
+def install(site: Path, name: str, entries: str, files: Mapping[str, str]) -> dict[str, str]:
+    """Install a package of version 1.0 as pip would leave it, and return the environment in which it is found.
+
+    Args:
+        site: The folder that packages lie in.
+        name: The distribution's name, ``-`` for ``_``.
+        entries: Its entry points.
+        files: Its files by name, which begins with the name of its module.
+    """
+    metadata = f"{name.replace('-', '_')}-1.0.dist-info"
+    described = {
+        f"{metadata}/METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n",
+        f"{metadata}/entry_points.txt": entries,
+    }
+    for file, text in {**described, **files}.items():
+        (site / file).parent.mkdir(parents=True, exist_ok=True)
+        (site / file).write_text(text, encoding="utf-8")
+    return {"PYTHONPATH": os.pathsep.join([str(site), *filter(None, [os.environ.get("PYTHONPATH")])])}
+
+
 def listing(folder: Path) -> set[str]:
     """Return the names of everything below a folder."""
     return {str(path.relative_to(folder)) for path in folder.rglob("*")}

@@ -13,8 +13,14 @@ from pathlib import Path
 
 import pytest
 
+from acoexp.colony import pheromone
+from acoexp.colony.problem import ColonySettings
+from acoexp.colony.state import Colony, Trails
+from acoexp.parameters import fields_of
+
 ROOT = Path(__file__).parent.parent
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+# docs/engines.md needs clusters and databases: tests/engines/test_page.py runs it
+PAGES = [ROOT / "README.md", *sorted({*(ROOT / "docs").glob("*.md")} - {ROOT / "docs" / "engines.md"})]
 BLOCK = re.compile(r"^```(bash|python)\n(.*?)^```$", re.M | re.S)
 
 # what needs a checkout, a server, or a whole test run has a test of its own
@@ -49,6 +55,21 @@ def test_the_readme_begins_with_the_two_commands() -> None:
     first, second = BLOCK.findall((ROOT / "README.md").read_text())[:2]
     assert first[1].strip() == "pip install -e . && python -m acoexp algo=pdg map=env2 -m seed=0-9"
     assert second[1].strip() == 'pip install -e ".[test]" && pytest'
+
+
+def test_the_contract_names_all_that_kernels_get() -> None:
+    page = (ROOT / "docs" / "contract.md").read_text()
+    named = set(re.findall(r"`(\w+)`", page.partition("## What a kernel gets")[2].partition("## Pheromone")[0]))
+    assert {*Colony._fields, *Trails._fields} <= named
+    settings = page.partition("| `settings` | `")[2].partition("|")[0]
+    assert [name for name in fields_of(ColonySettings) if name not in settings] == []
+
+
+def test_the_contract_names_every_way_to_change_pheromone() -> None:
+    page = (ROOT / "docs" / "contract.md").read_text()
+    own = [value for name, value in vars(pheromone).items() if hasattr(value, "__name__") and name[0] != "_"]
+    mine = {getattr(v, "py_func", v).__name__ for v in own if getattr(v, "__module__", "") == pheromone.__name__}
+    assert {f"{name}(" for name in mine - {"reset", "refresh"}} <= set(re.findall(r"`(\w+\()", page))
 
 
 @pytest.mark.slow_without_jit

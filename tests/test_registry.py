@@ -145,6 +145,7 @@ def test_a_broken_package_is_named_and_disturbs_nobody_else(
         resolve("pdg", {"diffusion": "breeze"})
     assert str(caught.value).startswith("diffusion 'breeze' of package ")
     assert f"cannot be imported from {value}: {reason}" in str(caught.value)
+    assert str(caught.value).endswith(f"; {tmp_path}/broken_breeze.py:1: 1 / 0") == value.startswith("broken")
 
 
 def test_nothing_is_imported_before_it_is_asked_for(

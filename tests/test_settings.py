@@ -26,7 +26,7 @@ from acoexp.strategies.update.ant_cycle import AntCycle
 class HomeMade(Diffusion):
     """A part made in a notebook, of no package."""
 
-    kernel = NoDiffusion.kernel
+    kernel = staticmethod(NoDiffusion.kernel)
 
 
 def refusal(algo: Any = "pdg", **values: Any) -> str:
@@ -108,7 +108,8 @@ def test_a_part_may_be_a_mapping_with_its_name() -> None:
 def test_a_mapping_without_name_changes_the_presets_own_part() -> None:
     assert diffusion_of("pd", {"gamma": 0.02}) == ("pd", "gaussian", Gaussian(gamma=0.02))
     assert diffusion_of("pd", {}) == ("pd", "gaussian", Gaussian())
-    assert "diffusion.gamma is not a known key" in refusal("aco", diffusion={"gamma": 0.02})
+    said = "diffusion.gamma is a key of diffusion=gaussian and diffusion=luo_wu, not of diffusion=none"
+    assert refusal("aco", diffusion={"gamma": 0.02}) == said
 
 
 def test_what_a_preset_says_of_a_part_holds_until_a_part_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -175,7 +176,7 @@ def test_an_object_of_another_kind_is_refused(kind: type) -> None:
 def test_an_unknown_part_is_refused_with_those_that_are_known(given: Any) -> None:
     message = refusal(diffusion=given)
     assert message.startswith("diffusion: expected one of: gaussian, luo_wu, none")
-    assert message.endswith("; got 'gausian'")
+    assert message.endswith("; got 'gausian'; did you mean gaussian?")
 
 
 def test_a_parts_parameters_are_checked() -> None:

@@ -31,6 +31,11 @@ log = logging.getLogger(__name__)
 
 _UNUSED_AFTER = 60 * 24 * 3600.0
 _CHECKSUM_BYTES = 32
+_NOT_OF_THE_CODE = {"NUMBA_NUM_THREADS"}
+"""Settings of numba's that change no machine code; joblib gives its workers one."""
+
+_failed: dict[tuple[Any, Any], Exception] = {}
+"""Why a loop cannot be compiled: the jobs of a sweep need not try it one after the other."""
 
 
 def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) -> None:
@@ -50,6 +55,16 @@ def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) 
     signature = tuple(typeof(argument) for argument in example)
     if signature in loop.overloads:
         return
+    if (loop, signature) in _failed:
+        raise _failed[loop, signature]
+    try:
+        _compile_or_load(loop, kernels, signature)
+    except Exception as problem:
+        _failed[loop, signature] = problem
+        raise
+
+
+def _compile_or_load(loop: Any, kernels: tuple[Any, ...], signature: tuple[Any, ...]) -> None:
     folder = _usable_folder(kernels)
     if folder is not None:
         loop._cache = KernelCache(folder)
@@ -148,7 +163,8 @@ def digest_of(kernels: tuple[Any, ...]) -> str | None:
     """
     parts = [sys.version, numba.__version__, llvmlite.__version__]
     parts += [llvmlite.binding.get_host_cpu_name(), llvmlite.binding.get_host_cpu_features().flatten()]
-    parts += sorted(f"{key}={value}" for key, value in os.environ.items() if key.startswith("NUMBA_"))
+    said = {key: value for key, value in os.environ.items() if key.startswith("NUMBA_")}
+    parts += sorted(f"{key}={value}" for key, value in said.items() if key not in _NOT_OF_THE_CODE)
     packages = {__name__.partition(".")[0]}
     for kernel in kernels:
         function = getattr(kernel, "py_func", kernel)

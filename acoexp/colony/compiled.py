@@ -9,6 +9,8 @@ import numba
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
+_OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline": True, "_nrt": False}
+
 
 def compiled(function: Function) -> Function:
     """Compile a function for use inside a colony.
@@ -17,6 +19,14 @@ def compiled(function: Function) -> Function:
     allocate nothing, then), and divides by zero as NumPy does. Nothing is compiled before the first call, and
     nothing at all under ``NUMBA_DISABLE_JIT=1``.
     """
-    options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline": True, "_nrt": False}
-    kernel: Function = numba.njit(**options)(function)
+    kernel: Function = numba.njit(**_OPTIONS)(function)
     return kernel
+
+
+def is_compiled(function: Any) -> bool:
+    """Tell whether a function is one of :func:`compiled`; under ``NUMBA_DISABLE_JIT`` nobody can, and all are."""
+    config: Any = numba.config
+    if config.DISABLE_JIT:
+        return callable(function)
+    options = getattr(function, "targetoptions", {})
+    return all(options.get(key) == value for key, value in _OPTIONS.items())

@@ -11,6 +11,7 @@ from typing import NamedTuple, NoReturn
 
 from hydra._internal.utils import get_args_parser
 from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.core.override_parser.types import Override
 from hydra.errors import OverrideParseException
 
 from acoexp import registry
@@ -79,7 +80,10 @@ def normalise(argv: list[str]) -> Arguments:
         raise SettingsError("expected only one of --run, --multirun, --cfg, --info, --help and -sc")
     runs = not any(others)
     if runs and not flags.multirun:
+        _refuse_engines(overrides)
         _refuse_sweeps(given, overrides)
+    if flags.multirun:
+        overrides = _put_off(overrides)
     # overrides first: an option with an optional value, such as --info, must not take one for its value
     argv = [*overrides, *(_folders(overrides) if runs else ()), *_without_config_dir(options)]
     return Arguments(argv, flags.config_dir, flags.info)
@@ -157,11 +161,14 @@ def _expand(override: str) -> str:
     return f"{key}={','.join(map(str, numbers))}"
 
 
+def _refuse_engines(overrides: list[str]) -> None:
+    for override in overrides:
+        if override.startswith("engine=") and override != "engine=basic":
+            raise SettingsError(f"{override}: an engine runs the jobs of a sweep; expected -m with it")
+
+
 def _refuse_sweeps(given: list[str], overrides: list[str]) -> None:
-    try:
-        parsed = OverridesParser.create().parse_overrides(overrides)
-    except OverrideParseException as problem:
-        raise SettingsError(str(problem).splitlines()[0]) from problem
+    parsed = _parsed(overrides)
     if any(override.key_or_group == "hydra.mode" for override in parsed):
         return
     for text, override in zip(given, parsed, strict=True):
@@ -169,12 +176,38 @@ def _refuse_sweeps(given: list[str], overrides: list[str]) -> None:
             raise SettingsError(f"{text}: several values; add -m to run them all")
 
 
+def _put_off(overrides: list[str]) -> list[str]:
+    """Write ``diffusion.keep=1`` as a sweep of one value where the diffusion is swept.
+
+    Else Hydra would look for that parameter in the part that there is before the sweep, too.
+    """
+    groups = (*registry.GROUPS, "algo")
+    of_parts = [text for text in overrides if re.split(r"[.=]", text)[0] in groups]
+    sweeps = {override.key_or_group for override in _parsed(of_parts) if override.is_sweep_override()}
+    swept = sweeps | ({*registry.STRATEGY_GROUPS} if "algo" in sweeps else set())
+    texts = []
+    for text in overrides:
+        key, _, value = text.partition("=")
+        waits = text in of_parts and "." in key and key not in sweeps and key.partition(".")[0] in swept and value
+        texts.append(f"{key}=choice({value})" if waits else text)
+    return texts
+
+
+def _parsed(overrides: list[str]) -> list[Override]:
+    try:
+        return OverridesParser.create().parse_overrides(overrides)
+    except OverrideParseException as problem:
+        raise SettingsError(str(problem).splitlines()[0]) from problem
+
+
 def _refuse_nothing(override: str) -> None:
     """Refuse what Hydra would stumble over: no key, or no option for a group."""
     key, _, value = override.lstrip("+~").partition("=")
     if not key:
         raise SettingsError(f"{override}: expected key=value")
-    if key in (*registry.GROUPS, "algo", "tracking") and (value.lower() in ("", "null") or value[0] == "["):
+    if key in (*registry.GROUPS, "algo", "tracking", "engine") and (
+        value.lower() in ("", "null") or value[0] == "["
+    ):
         raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
 
 

@@ -23,13 +23,13 @@ acoexp: ant-colony path planning of mobile robots on occupancy grids
   python -m acoexp algo=aco,pd,pdg -m seeds=0-999        three batches of a thousand trials
 
 Say group=option, or key=value. Sweep over several values by -m: seed=0-4,7 algo=aco,pdg rho=0.3,0.5
-If nothing is said: algo=pdg map=fig13 seed=0 tracking=mlflow report=none
+If nothing is said: algo=pdg map=fig13 seed=0 tracking=mlflow engine=basic report=none
 """
 
 
 def help_text() -> str:
     """Return the help as a template for Hydra, which fills in its own flags."""
-    sections = [_EXAMPLES, _presets(), *map(_group, registry.GROUPS), _files("tracking"), _scalars(), _FLAGS]
+    sections = [_EXAMPLES, _presets(), *map(_group, registry.GROUPS), *map(_files, _FILES), _scalars(), _FLAGS]
     return "\n".join(sections)
 
 
@@ -78,8 +78,12 @@ def _describe(group: str, name: str) -> str:
     return summary + "".join(f"\n    {group}.{key}: {text}" for key, text in _keys(owner).items())
 
 
+_FILES = {"tracking": "where results go", "engine": "where the jobs of a sweep run"}
+"""Groups whose options are files of ours alone."""
+
+
 def _files(group: str) -> str:
-    return _section(group, "where results go", _summaries(group))
+    return _section(group, _FILES[group], _summaries(group))
 
 
 def _summaries(group: str) -> dict[str, str]:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from contextlib import chdir
+import pickle
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from omegaconf.errors import OmegaConfBaseException
 
 from acoexp import registry
 from acoexp.command import summary
+from acoexp.command.parcel import Parcel
 from acoexp.command.records import run_batch_job, run_trial_job
 from acoexp.errors import SettingsError
 from acoexp.grid import Grid
@@ -38,7 +38,7 @@ def run_job(config: DictConfig) -> float:
     Raises:
         AcoexpError: for whatever went wrong.
     """
-    with chdir(HydraConfig.get().runtime.cwd):  # files and stores are named from there, also under hydra.job.chdir
+    with Parcel().at_home():  # files and stores are named from there, also under hydra.job.chdir
         return Job(config).run()
 
 
@@ -57,7 +57,7 @@ class Job:
 
     def __init__(self, config: DictConfig) -> None:
         self.config = _plain(config)
-        self.tracker: Tracker = open_tracker(self._mapping("tracking"))
+        self.tracker: Tracker = open_tracker(self._tracking())
         self.seed = check_seed(self.config.get("seed"))
         seeds = self.config.get("seeds")
         self.seeds: Seeds | None = None if seeds is None else parse_seeds(seeds)
@@ -108,13 +108,20 @@ class Job:
             resume=self.resume,
         )
 
+    def _tracking(self) -> dict[str, Any]:
+        """Return where results go, by the absolute address if the parent gave one."""
+        tracking = self._mapping("tracking")
+        absolute = Parcel().addresses.get(str(tracking.get("uri")))
+        return tracking if absolute is None else {**tracking, "uri": absolute}
+
     def _settings(self) -> Settings:
         values = {key: value for key, value in self.config.items() if key not in _NOT_SETTINGS}
         return resolve(self.config.get("algo"), values)
 
     def _grid(self) -> Grid:
         parameters = dict(self._mapping("map"))
-        return _load(registry.build_part("map", parameters.pop("name", None), parameters))
+        source = registry.build_part("map", parameters.pop("name", None), parameters)
+        return _load(source, Parcel().map_of(self._mapping("map")))
 
     def _report(self) -> Report | None:
         """Return the report that was asked for, or None."""
@@ -127,7 +134,7 @@ class Job:
             raise SettingsError(f"report.{key} is not a known key of report=none")
         return None
 
-    def _mapping(self, key: str) -> Mapping[str, Any]:
+    def _mapping(self, key: str) -> dict[str, Any]:
         value = self.config.get(key)
         if not isinstance(value, dict):
             raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
@@ -141,9 +148,9 @@ def _check_flag(key: str, value: Any) -> bool:
 
 
 @lru_cache(maxsize=4)
-def _load(source: Any) -> Grid:
-    """Load a map once for the jobs of a process that share it."""
-    grid: Grid = source.load()
+def _load(source: Any, carried: Path | None) -> Grid:
+    """Load a map once for the jobs of a process that share it: as the parent found it, if it sent it along."""
+    grid: Grid = source.load() if carried is None else pickle.loads(carried.read_bytes())
     return grid
 
 

@@ -19,6 +19,8 @@ from acoexp.errors import AcoexpError
 from acoexp.presets import conf_dir
 
 INTERRUPTED = 130
+_ENGINES = ("submitit", "ray", "joblib")
+"""Packages whose own errors say that a job was lost with its worker."""
 
 
 def main() -> None:
@@ -40,6 +42,12 @@ def main() -> None:
         sys.exit(INTERRUPTED)
     except (AcoexpError, HydraException, OmegaConfBaseException, OSError) as problem:
         if wants_traceback:
+            raise
+        sweep.finish()
+        print_error(problem)
+        sys.exit(1)
+    except Exception as problem:
+        if wants_traceback or type(problem).__module__.partition(".")[0] not in _ENGINES:
             raise
         sweep.finish()
         print_error(problem)

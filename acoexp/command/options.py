@@ -15,6 +15,7 @@ from hydra.errors import HydraException
 from hydra.plugins.config_source import ConfigResult
 from hydra.plugins.search_path_plugin import SearchPathPlugin
 from omegaconf import OmegaConf
+from yaml import YAMLError
 
 from acoexp import registry
 from acoexp.colony.problem import ColonySettings
@@ -22,7 +23,7 @@ from acoexp.command.help import help_text
 from acoexp.errors import SettingsError, StrategyError
 from acoexp.field import FieldSettings
 from acoexp.parameters import defaults_of
-from acoexp.presets import plugin_conf_dirs
+from acoexp.presets import find_preset, plugin_conf_dirs
 
 _RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
 _OURS = ("config", "settings")
@@ -93,12 +94,19 @@ class UserOptions(FileConfigSource):
                 f"{Path(self.path, config_path)}.yaml: expected options in folders, such as algo/{config_path}; "
                 "this name is the program's own"
             )
-        result = super().load_config(config_path)
+        folder, name = Path(self.path), Path(config_path).name
+        if folder in plugin_conf_dirs() and Path(config_path).parent == Path("algo"):
+            find_preset(name)  # refuses it as it does in Python
+        try:
+            result = super().load_config(config_path)
+        except YAMLError as problem:
+            reason = " ".join(str(problem).split())
+            raise HydraException(f"{Path(folder, config_path)}.yaml: expected YAML; {reason}") from problem
         content = OmegaConf.to_container(result.config, resolve=False)
         where = f"{config_path} {result.header.get('package') or ''}"
         if _RUNS_CODE.search(where) or _reaches_out(content):
             raise HydraException(
-                f"{Path(self.path, config_path)}.yaml: expected settings of acoexp only; an option file may not "
+                f"{Path(folder, config_path)}.yaml: expected settings of acoexp only; an option file may not "
                 "set hydra.* or _target_, which run code"
             )
         return result

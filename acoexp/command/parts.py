@@ -7,15 +7,17 @@ from typing import Any
 from acoexp import registry
 from acoexp.errors import AcoexpError
 from acoexp.parameters import fields_of
-from acoexp.presets import find_preset, preset_names, preset_package
+from acoexp.presets import faults, find_preset, preset_names, preset_package
 from acoexp.strategies.part import CONTRACT
 
 
 def parts_text() -> str:
     """Return the list as plain text: a section a group, a line a part, a line a parameter."""
     version = registry.package_named(registry.entries("diffusion")["none"])
-    sections = [f"{version}, contract {CONTRACT}", _presets(), *map(_group, registry.GROUPS)]
-    return "\n\n".join(sections)
+    text = "\n\n".join([f"{version}, contract {CONTRACT}", _presets(), *map(_group, registry.GROUPS)])
+    broken = [line.partition("BROKEN: ")[2] for line in text.splitlines() if "BROKEN: " in line]
+    broken += [told for _, told in registry.strays()] + faults()
+    return "\n".join([text, "", "== broken ==", *(f"BROKEN: {told}" for told in broken)]) if broken else text
 
 
 def _presets() -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 import traceback
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -23,9 +24,11 @@ from acoexp.command import summary, sweep
 from acoexp.command.job import Job
 from acoexp.command.messages import print_error
 from acoexp.command.outcome import record_of
+from acoexp.command.parcel import Parcel, carry_options
 from acoexp.command.records import TRIAL
 from acoexp.errors import AcoexpError
 from acoexp.seeds import check_seed
+from acoexp.tracking.mlflow_tracker import MlflowTracker
 
 
 class Session(Callback):
@@ -67,6 +70,7 @@ def _begin_run(config: DictConfig) -> None:
 
 def _begin_sweep(config: DictConfig) -> None:
     loader = GlobalHydra.instance().config_loader()
+    carry_options(loader)
     parsed = OverridesParser.create(config_loader=loader).parse_overrides(list(config.hydra.overrides.task))
     # what another sweeper will choose, only that one knows
     basic = config.hydra.sweeper._target_ == f"{BasicSweeper.__module__}.{BasicSweeper.__qualname__}"
@@ -82,13 +86,31 @@ def _begin_sweep(config: DictConfig) -> None:
     trackers = {job.tracker.where: job.tracker for job in jobs.values()}
     for tracker in trackers.values():
         tracker.prepare()
-    where, folder = ", ".join(trackers), Path(config.hydra.sweep.dir)
+    where, folder = ", ".join(trackers), _fix_folder(config)
+    _pack(folder, jobs.values())
     if any(job.report is not None for job in jobs.values()):
         return
     if basic:
         _leave_out_what_is_there(jobs, parsed, folder, where)
     else:
         sweep.begin(folder, None, where)
+
+
+def _pack(folder: Path, jobs: Collection[Job]) -> None:
+    """Put into the sweep's folder, and into what launchers carry, all that a worker needs of this machine."""
+    for job in jobs:
+        if isinstance(job.tracker, MlflowTracker):
+            Parcel().addresses[job.config["tracking"]["uri"]] = job.tracker.store.uri
+    Parcel().pack(folder, [(job.config["map"], job.setup.grid) for job in jobs])
+
+
+def _fix_folder(config: DictConfig) -> Path:
+    """Name the sweep's folder absolutely, for jobs that are composed elsewhere too; return it."""
+    folder = Path(config.hydra.sweep.dir).absolute()
+    config.hydra.sweep.dir = str(folder)
+    quoted = str(folder).replace("'", r"\'")
+    config.hydra.overrides.hydra.append(f"hydra.sweep.dir='{quoted}'")
+    return folder
 
 
 def _leave_out_what_is_there(

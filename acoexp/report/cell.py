@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -13,16 +14,20 @@ from acoexp.errors import SettingsError, StrategyError
 from acoexp.registry import STRATEGY_GROUPS
 from acoexp.settings import Settings, resolve
 
+_NAMED = re.compile(r"([^:=]*[^:= ]) ?: ?(.*)")
+
 
 class Cell(NamedTuple):
     """One configuration to be compared.
 
     Attributes:
-        label: Its text, by which it is called in tables.
+        label: What it is called in tables: its name, or else its text.
+        text: Its preset and overrides.
         settings: What it resolves to.
     """
 
     label: str
+    text: str
     settings: Settings
 
 
@@ -30,7 +35,8 @@ def parse_cells(texts: Sequence[str], base: Mapping[str, Any]) -> list[Cell]:
     """Return the cells that texts describe.
 
     Args:
-        texts: Each a preset's name and overrides ``key=value``, separated by blanks.
+        texts: Each a preset's name and overrides ``key=value``, separated by blanks; before them there may be a
+            name for it and a colon, as in ``mine: pdg diffusion=mine``.
         base: Settings that hold for all cells unless a text says otherwise.
 
     Raises:
@@ -45,13 +51,15 @@ def parse_cells(texts: Sequence[str], base: Mapping[str, Any]) -> list[Cell]:
 
 
 def _parse(text: str, base: Mapping[str, Any]) -> Cell:
-    algo, *overrides = text.split() or [""]
+    named = _NAMED.fullmatch(text)
+    label, described = (named[1], named[2]) if named else (text, text)
+    algo, *overrides = described.split() or [""]
     try:
         given = _nested(overrides)
         merged = {**base, **given}
         if isinstance(base.get("field"), Mapping) and isinstance(given.get("field"), Mapping):
             merged["field"] = {**base["field"], **given["field"]}
-        return Cell(text, resolve(algo, merged))
+        return Cell(label, described, resolve(algo, merged))
     except (SettingsError, StrategyError) as problem:
         raise type(problem)(f"report.cells: {text!r}: {problem}") from problem
 

@@ -9,6 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from acoexp import registry
+from acoexp.blame import packages_of
 from acoexp.errors import AcoexpError, SettingsError
 from acoexp.grid import Grid
 from acoexp.parameters import parameter
@@ -28,7 +29,8 @@ class Compare(Report):
     """Configurations side by side: features, success, effect sizes, corrected tests, curves."""
 
     cells: tuple[str, ...] = parameter(
-        ("aco", "pd", "pdg", "pf"), "what is compared, each a preset and overrides: 'pdg diffusion.gamma=0.02'"
+        ("aco", "pd", "pdg", "pf"),
+        "what is compared, each a preset and overrides, with a name if you like: 'more: pdg diffusion.gamma=0.02'",
     )
     maps: tuple[str, ...] = parameter((), "names of maps, by default that of the command line")
     trials: int = parameter(
@@ -91,9 +93,10 @@ class Compare(Report):
             (folder / name).write_text(text, encoding="utf-8")
 
     def _lead(self, cells: Sequence[Cell], grids: Sequence[Grid]) -> str:
+        named = "".join(f" {cell.label} is {cell.text}." for cell in cells if cell.label != cell.text)
         return (
             f"{len(cells)} configurations on {', '.join(grid.name for grid in grids)}: {self.trials} trials each, "
-            f"seeds 0 to {self.trials - 1} for all. acoexp {version('acoexp')}."
+            f"seeds 0 to {self.trials - 1} for all. acoexp {version('acoexp')}.{named}{_warning(cells)}"
         )
 
     def _origin(self, cells: Sequence[Cell], grids: Sequence[Grid]) -> Row:
@@ -102,8 +105,20 @@ class Compare(Report):
             "version": version("acoexp"),
             "trials": self.trials,
             "maps": {grid.name: {"digest": grid.digest, "optimum": grid.optimum} for grid in grids},
+            "packages": {cell.label: packages_of(cell.settings) for cell in cells},
             "configurations": {cell.label: cell.settings.as_dict() for cell in cells},
         }
+
+
+def _warning(cells: Sequence[Cell]) -> str:
+    """Say it where cells may spend different numbers of walks, which no table shows."""
+    text = ""
+    for key in ("ants", "iterations"):
+        values = {cell.label: getattr(cell.settings.scalars, key) for cell in cells}
+        if len(set(values.values())) > 1:
+            each = ", ".join(f"{label}: {value}" for label, value in values.items())
+            text += f" Warning: the configurations differ in {key} ({each}), so their efforts differ too."
+    return text
 
 
 def _short(row: dict[str, str]) -> list[str]:

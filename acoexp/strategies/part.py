@@ -12,6 +12,7 @@ any ant walks, and names the kernel that acts during a trial. Kernels are compil
 
 from __future__ import annotations
 
+import inspect
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import Any, ClassVar
@@ -19,7 +20,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from acoexp.colony.compiled import is_compiled
 from acoexp.colony.problem import Problem
+from acoexp.errors import StrategyError
 
 CONTRACT = 1
 """Version of this contract. It grows when a part could rely on something that was not there before; a part
@@ -95,3 +98,38 @@ class Update(Part):
     def initial(self, problem: Problem) -> float | NDArray[np.float64]:
         """Return the initial pheromone: one level, or float64[rows, cols, 8]. By default tau0."""
         return problem.settings.tau0
+
+
+CALLS = {
+    Choice: "colony, own, ant, cell, came",
+    Diffusion: "colony, own, ant, cell, came",
+    Post: "colony, own, cells, count",
+    Update: "colony, own, raw, final, best",
+}
+"""What the kernel of each kind of part is called with."""
+
+
+def check_part(owner: type) -> None:
+    """Refuse a class that leaves out what its kind has to have, or whose kernel the loop could not call.
+
+    Raises:
+        StrategyError: if so.
+    """
+    missing = sorted(getattr(owner, "__abstractmethods__", ()))
+    if missing:
+        raise StrategyError(f"expected {owner.__name__} to define {' and '.join(missing)}")
+    call = next((call for kind, call in CALLS.items() if issubclass(owner, kind)), None)
+    kernel = inspect.getattr_static(owner, "kernel", None)
+    if call is None or isinstance(kernel, property) or (kernel is None and issubclass(owner, Post)):
+        return
+    if kernel is None:
+        raise StrategyError(f"expected {owner.__name__} to name its kernel: kernel = staticmethod(...)")
+    bare = getattr(kernel, "__func__", kernel)
+    name = getattr(bare, "__name__", repr(bare))
+    if not is_compiled(bare):
+        raise StrategyError(f"kernel {name} is not @compiled")
+    if not isinstance(kernel, staticmethod):
+        raise StrategyError(f"expected kernel = staticmethod({name})")
+    takes = inspect.signature(getattr(bare, "py_func", bare)).parameters
+    if len(takes) != len(call.split(", ")):
+        raise StrategyError(f"kernel {name} takes ({', '.join(takes)}); it is called with ({call})")

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from acoexp.result import Result
 from acoexp.seeds import Seeds, parse_seeds
 from acoexp.tracking.owner import is_dead
-from acoexp.tracking.run import ALIVE, CELL, IDENTITY, OWNER, RunWriter, mark_ended
+from acoexp.tracking.run import ALIVE, CELL, IDENTITY, KIND, OWNER, RunWriter, mark_ended, tags_of
 from acoexp.tracking.setup import Setup, Trial
 from acoexp.tracking.store import EXPERIMENT, Store
 from acoexp.tracking.tracker import BatchLog, Found
@@ -29,6 +29,7 @@ log = logging.getLogger(__name__)
 
 SILENT_FOR = 600.0
 """Seconds without a sign of life after which a run that another machine began is taken for left behind."""
+_LONGEST_NAME = 250
 ARCHIVES = "trials"
 """Folder of a batch's artifacts that holds its trials with their curves, a file for each portion."""
 
@@ -63,10 +64,9 @@ class MlflowTracker:
     def find_trials(self, cell: str, seeds: Seeds) -> list[Trials]:
         """Return trials of a cell that were kept in batches, finished or not, each at most once."""
         runs = self.store.patiently(lambda: self.store.search(f"tags.{CELL} = '{cell}'"), "cannot be searched")
-        batches = [run for run in runs if "seeds" in run.data.params]
         wanted, found = seeds.array(), []
-        for run in batches:
-            if np.intersect1d(wanted, parse_seeds(run.data.params["seeds"]).array()).size:
+        for run in runs:
+            if run.data.tags.get(KIND) == "batch" and _may_hold(run, wanted):
                 for portion in self._portions(run.info.run_id):
                     new = portion.among(wanted)
                     if len(new):
@@ -107,8 +107,9 @@ class MlflowTracker:
         return _BatchRun(writer, setup.grid.optimum)
 
     def _writer(self, setup: Setup, key: str, seeds: object, anew: bool) -> RunWriter:
-        name = f"{setup.settings.label} {setup.grid.name} {key} {seeds}"
-        return RunWriter(self.store, name[:250], setup, {key: str(seeds)}, anew=anew)
+        name = f"{setup.settings.label} {setup.grid.name} {key} {seeds}"[:_LONGEST_NAME]
+        tags = {**tags_of(setup), IDENTITY: setup.identity(seeds), KIND: "trial" if key == "seed" else "batch"}
+        return RunWriter(self.store, name, {**setup.params, key: str(seeds)}, tags, anew=anew)
 
     def _portions(self, run_id: str) -> Iterator[Trials]:
         client = self.store.client
@@ -165,6 +166,12 @@ class _BatchRun:
     def abandon(self, reason: str) -> None:
         """End the run as failed; what was kept stays."""
         self._writer.end("FAILED", reason)
+
+
+def _may_hold(run: Run, wanted: NDArray[np.uint64]) -> bool:
+    """Tell whether a batch may hold trials of these seeds; a list of seeds too long for a parameter may."""
+    seeds = run.data.params.get("seeds")
+    return seeds is None or bool(np.intersect1d(wanted, parse_seeds(seeds).array()).size)
 
 
 def _found(run: Run) -> Found:

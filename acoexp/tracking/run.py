@@ -8,9 +8,11 @@ from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
+from secrets import token_hex
 from subprocess import DEVNULL, SubprocessError, check_output
 from typing import TYPE_CHECKING
 
+from acoexp.blame import packages_of
 from acoexp.tracking.owner import this_process
 from acoexp.tracking.setup import Setup
 from acoexp.tracking.store import Store
@@ -23,30 +25,41 @@ LONGEST_PARAM = 500
 LARGEST_BATCH = 1000
 """Metrics that MLflow takes in one call."""
 
-IDENTITY, CELL, OWNER, ALIVE, REASON = "identity", "cell", "owner", "alive", "reason"
-"""Tags: what the run is of; which configuration on which map; which process writes it and when it last did, in
-milliseconds; why it failed."""
+IDENTITY, CELL, KIND = "identity", "cell", "kind"
+"""Tags: what the run is of; which configuration on which map; ``trial`` or ``batch``."""
+OWNER, WRITER, ALIVE = "owner", "writer", "alive"
+"""Tags: which process writes the run, by which of its writers, and when it last did, in milliseconds."""
+REASON = "reason"
+"""Tag: why the run has failed."""
 
 
 class RunWriter:
     """A run that is being written."""
 
-    def __init__(self, store: Store, name: str, setup: Setup, seeds: Mapping[str, str], *, anew: bool) -> None:
+    def __init__(
+        self,
+        store: Store,
+        name: str,
+        params: Mapping[str, str],
+        tags: Mapping[str, str],
+        *,
+        anew: bool = False,
+        started: int | None = None,
+    ) -> None:
         """Begin a run.
 
         Args:
             store: Where.
             name: What it is called.
-            setup: What it is a run of.
-            seeds: Its ``seed`` or ``seeds``, as a parameter.
+            params: Its configuration, flattened.
+            tags: What is known of it besides; ``IDENTITY`` among it.
             anew: Whether it takes the place of a finished run of its identity.
+            started: When it began, in milliseconds since 1970; now, if that is not said.
         """
         self._store, self._anew = store, anew
-        (self._seeds,) = seeds.values()
-        self._identity = setup.identity(self._seeds)
-        self._params = {**setup.params, **seeds}
-        self._tags = {**_tags(setup), IDENTITY: self._identity}
-        self._name = name
+        self._name, self._params, self._tags = name, params, tags
+        self._started = int(_now()) if started is None else started
+        self._token = token_hex(8)
         self._run_id: str | None = None
 
     def begin(self, metrics: Sequence[Metric] = ()) -> None:
@@ -79,9 +92,9 @@ class RunWriter:
         """Note that the process that writes this run is at work."""
         self.do(lambda run_id: self._store.client.set_tag(run_id, ALIVE, _now()))
 
-    def finish(self) -> None:
+    def finish(self, ended: int | None = None) -> None:
         """Say that the run is finished, and see to it that it is the only one of its identity."""
-        self.do(lambda run_id: self._store.client.set_terminated(run_id, "FINISHED"))
+        self.do(lambda run_id: self._store.client.set_terminated(run_id, "FINISHED", ended))
         self.do(self._settle)
 
     def end(self, status: str, reason: str) -> None:
@@ -99,8 +112,8 @@ class RunWriter:
 
         def with_run() -> None:
             if self._run_id is None:
-                tags = {**self._tags, OWNER: this_process(), ALIVE: _now()}
-                run = self._store.client.create_run(self._store.experiment_id, int(_now()), tags, self._name)
+                tags = {**self._tags, OWNER: this_process(), WRITER: self._token, ALIVE: _now()}
+                run = self._store.client.create_run(self._store.experiment_id, self._started, tags, self._name)
                 self._run_id = run.info.run_id
             action(self._run_id)
 
@@ -111,13 +124,12 @@ class RunWriter:
 
         Whoever finishes last sees all of them, and all who look agree on the one that stays.
         """
-        mine = this_process()
-        same = self._store.search(f"tags.{IDENTITY} = '{self._identity}'")
+        same = self._store.search(f"tags.{IDENTITY} = '{self._tags[IDENTITY]}'")
         finished = sorted((r.info.start_time, r.info.run_id) for r in same if r.info.status == "FINISHED")
         stays = run_id if self._anew else finished[0][1]
         for run in same:
             superfluous = run.info.status == "FINISHED" and run.info.run_id != stays
-            lost_on_the_way = run.info.status == "RUNNING" and run.data.tags.get(OWNER) == mine
+            lost_on_the_way = run.info.status == "RUNNING" and run.data.tags.get(WRITER) == self._token
             if superfluous or lost_on_the_way:
                 _delete(self._store, run.info.run_id)
 
@@ -143,8 +155,10 @@ def _now() -> str:
     return str(int(time.time() * 1000))
 
 
-def _tags(setup: Setup) -> dict[str, str]:
+def tags_of(setup: Setup) -> dict[str, str]:
+    """Return what is known of a setup besides its parameters, as tags."""
     tags = {"map.digest": setup.grid.digest, CELL: setup.cell, "acoexp.version": version("acoexp")}
+    tags |= {f"{group}.package": package for group, package in packages_of(setup.settings).items()}
     commit = _git_commit()
     return {**tags, "mlflow.source.git.commit": commit} if commit else tags
 

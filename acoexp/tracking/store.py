@@ -11,7 +11,7 @@ import re
 import sqlite3
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager, nullcontext
+from contextlib import closing, contextmanager
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -32,6 +32,7 @@ PATIENCE = 90.0
 
 _SQLITE = "sqlite:///"
 _PAGE = 1000
+_LOCK = 0x61636F657870  # "acoexp"
 _T = TypeVar("_T")
 
 _gave_up: set[str] = set()
@@ -39,12 +40,20 @@ _gave_up: set[str] = set()
 
 
 class Store:
-    """An MLflow store."""
+    """An MLflow store.
+
+    Attributes:
+        uri: Its address.
+        file: Its database file, if it is one of SQLite's.
+        folder: Where that lies.
+        shown: The address as it may be shown, without a password.
+    """
 
     def __init__(self, uri: str) -> None:
         file, mark, query = uri.removeprefix(_SQLITE).partition("?")
-        self._file = Path(file).absolute() if uri.startswith(_SQLITE) else None
-        self.uri = uri if self._file is None else f"{_SQLITE}{self._file}{mark}{query}"
+        self.file = Path(file).absolute() if uri.startswith(_SQLITE) else None
+        self.uri = uri if self.file is None else f"{_SQLITE}{self.file}{mark}{query}"
+        self.folder = None if self.file is None else self.file.parent
         self.shown = re.sub(r"//[^/@]*@", "//***@", uri)  # no password on a screen or in a log
 
     def prepare(self) -> None:
@@ -54,13 +63,11 @@ class Store:
             TrackingError: if the store cannot be reached or written.
         """
         with self._reporting("cannot be opened"), _few_retries():
-            if self._file is not None:
-                self._file.parent.mkdir(parents=True, exist_ok=True)
-            # several processes that migrate one fresh database at once all fail
-            lock = FileLock(f"{self._file}.lock") if self._file is not None else nullcontext()
-            with lock:
-                if self._file is not None:
-                    _check_writable(self._file)
+            if self.file is not None:
+                self.file.parent.mkdir(parents=True, exist_ok=True)
+            with self._alone():
+                if self.file is not None:
+                    _check_writable(self.file)
                 experiment = self.client.get_experiment_by_name(EXPERIMENT)
                 if experiment is None:
                     self.client.create_experiment(EXPERIMENT, self._artifacts())
@@ -77,7 +84,7 @@ class Store:
         Raises:
             TrackingError: if it fails for good, or the store stays away.
         """
-        began, pause = time.monotonic(), 0.1
+        began, pause, told = time.monotonic(), 0.1, False
         with self._reporting(what), _few_retries():
             while True:
                 try:
@@ -89,7 +96,8 @@ class Store:
                     if waited + pause > PATIENCE:
                         _gave_up.add(self.uri)
                         raise
-                    if waited < pause:
+                    if not told:
+                        told = True
                         log.warning("%s %s; trying again for %.0f s", self.shown, what, PATIENCE)
                     time.sleep(pause)
                     pause = min(2.0 * pause, 5.0)
@@ -124,11 +132,30 @@ class Store:
             raise TrackingError(f"tracking.uri: no experiment {EXPERIMENT!r} at {self.shown}")
         return str(experiment.experiment_id)
 
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        """Keep other processes out: several that migrate one fresh database at once all fail."""
+        if self.file is not None:
+            with FileLock(f"{self.file}.lock"):
+                yield
+        elif self.uri.startswith("postgresql"):
+            from sqlalchemy import create_engine, text
+
+            engine = create_engine(self.uri)
+            try:
+                with engine.connect() as connection:  # the lock is the connection's, and ends with it
+                    connection.execute(text(f"SELECT pg_advisory_lock({_LOCK})"))
+                    yield
+            finally:
+                engine.dispose()
+        else:  # a server has one of its own
+            yield
+
     def _artifacts(self) -> str | None:
         """Return where artifacts go: beside a local database, else wherever the server puts them."""
         if self.uri.startswith(("http:", "https:")):
             return None
-        folder = self._file.parent if self._file is not None else Path("outputs").absolute()
+        folder = self.file.parent if self.file is not None else Path("outputs").absolute()
         return (folder / "artifacts").as_uri()
 
     @contextmanager

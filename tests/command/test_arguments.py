@@ -116,6 +116,23 @@ def test_a_flag_takes_no_override_for_its_value(flag: list[str], before: bool) -
     assert overrides(*(flag + override if before else override + flag)) == override
 
 
+@pytest.mark.parametrize(
+    ("argv", "seen"),
+    [
+        (
+            ["diffusion=none,gaussian", "diffusion.gamma=0.1"],
+            ["diffusion=none,gaussian", "diffusion.gamma=choice(0.1)"],
+        ),
+        (["post.x=a b", "algo=pd,pdg"], ["post.x=choice(a b)", "algo=pd,pdg"]),
+        (["diffusion=none,gaussian", "diffusion.gamma=1,2"], ["diffusion=none,gaussian", "diffusion.gamma=1,2"]),
+        (["diffusion=gaussian", "diffusion.gamma=1", "rho=0.1,0.2"], None),
+        (["algo=pd,pdg", "map.path=x", "field.reach=3", "+diffusion.gamma=1", "tracking.uri=x"], None),
+    ],
+)
+def test_a_parameter_of_a_part_that_is_swept_waits_for_each_job(argv: list[str], seen: list[str] | None) -> None:
+    assert overrides(*argv, "-m") == (argv if seen is None else seen)
+
+
 def test_a_flags_own_value_stays_with_it() -> None:
     seen = hydra_sees("--info", "defaults", "seed=1", "--package", "map")
     assert (seen.info, seen.package, seen.overrides) == ("defaults", "map", ["seed=1"])

@@ -9,9 +9,11 @@ from pathlib import Path
 
 import pytest
 from hydra import compose, initialize_config_dir
+from hydra.errors import HydraException
 from running import QUICK, refusal, run_acoexp
 
 from acoexp.command.job import Job
+from acoexp.command.messages import in_one_line
 from acoexp.command.options import register_options
 from acoexp.errors import AcoexpError
 from acoexp.presets import conf_dir
@@ -140,6 +142,27 @@ def checked(*overrides: str) -> str:
 )
 def test_every_other_bad_setting_is_refused_by_the_same_check(given: str, said: str) -> None:
     assert checked(given).startswith(said)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (
+            "rhoo=1",
+            "rhoo is not a known key; --help lists the keys, --cfg job shows the settings; did you mean rho?",
+        ),
+        ("field.reech=1", "field.reech is not a known key; --help lists the keys, "),
+        ("diffusion.at_goal=1", "diffusion.at_goal is not a known key"),
+        ("update.elitists=1", "update.elitists is a key of update=elitist, not of update=dual_ant_cycle"),
+        ("diffusion=gausian", "diffusion: expected one of: gaussian, luo_wu, none; got 'gausian'; did you mean "),
+        ("map=gaussian", "map: expected one of: env1, env2, fig13, file; got 'gaussian'; there is diffusion="),
+    ],
+)
+def test_what_hydra_refuses_is_told_with_what_may_have_been_meant(given: str, said: str) -> None:
+    register_options(None)
+    with initialize_config_dir(str(conf_dir()), version_base="1.3"), pytest.raises(HydraException) as caught:
+        compose("config", [given])
+    assert in_one_line(caught.value).startswith(said)
 
 
 MAPS: dict[bytes, str] = {

@@ -9,8 +9,10 @@ import sys
 import time
 from pathlib import Path
 
+import numba
 import pytest
-from running import QUICK, environment, records, run_acoexp, trials
+from mlflow import MlflowClient
+from running import QUICK, environment, install, records, run_acoexp, trials
 
 posix = pytest.mark.skipif(os.name != "posix", reason="signals and pseudo terminals of POSIX")
 
@@ -18,7 +20,7 @@ PART = '''
 from dataclasses import dataclass
 
 from acoexp.colony.compiled import compiled
-from acoexp.strategies import Heuristic, Post
+from acoexp.strategies import Diffusion, Heuristic, Post
 
 
 @compiled
@@ -33,6 +35,18 @@ class Forgetful(Post):
     kernel = staticmethod(forget)
 
 
+@compiled
+def make_a_list(colony, own, ant, cell, came):
+    colony.random[0] = [cell][0]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Listing(Diffusion):
+    """Does not compile."""
+
+    kernel = staticmethod(make_a_list)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Raising(Heuristic):
     """Raises."""
@@ -41,6 +55,9 @@ class Raising(Heuristic):
         raise ZeroDivisionError("too bad")
 '''
 ENTRIES = """
+[acoexp.diffusion]
+listing = faulty_parts:Listing
+
 [acoexp.post]
 forgetful = faulty_parts:Forgetful
 
@@ -54,21 +71,13 @@ absent = no_such_package:Absent
 def plugin(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """Return the environment in which a package with faulty parts is installed."""
     site = tmp_path_factory.mktemp("site")
-    (site / "faulty_parts").mkdir()
-    (site / "faulty_parts" / "__init__.py").write_text(PART, encoding="utf-8")
-    metadata = site / "faulty_parts-1.0.dist-info"
-    metadata.mkdir()
-    (metadata / "METADATA").write_text(
-        "Metadata-Version: 2.1\nName: faulty-parts\nVersion: 1.0\n", encoding="utf-8"
-    )
-    (metadata / "entry_points.txt").write_text(ENTRIES, encoding="utf-8")
-    return {"PYTHONPATH": os.pathsep.join([str(site), *filter(None, [os.environ.get("PYTHONPATH")])])}
+    return install(site, "faulty-parts", ENTRIES, {"faulty_parts/__init__.py": PART})
 
 
 @pytest.mark.parametrize(
     ("bad", "good", "said"),
     [
-        ("post=forgetful", "geometric", "post 'forgetful' of package faulty-parts 1.0 returned what is no path"),
+        ("post=forgetful", "geometric", "post 'forgetful' of package faulty-parts 1.0 broke its contract"),
         (
             "heuristic=raising",
             "goal_distance",
@@ -80,13 +89,19 @@ def test_a_part_that_breaks_its_contract_fails_its_own_jobs_alone(
     bad: str, good: str, said: str, plugin: dict[str, str], tmp_path: Path
 ) -> None:
     group, _, name = bad.partition("=")
-    ended = run_acoexp(f"{group}={name},{good}", "-m", "seed=0,1", *QUICK, "ants=9", cwd=tmp_path, env=plugin)
+    quick = ("iterations=3", "ants=9")
+    ended = run_acoexp(f"{group}={name},{good}", "-m", "seed=0,1", *quick, cwd=tmp_path, env=plugin)
     assert ended.returncode == 1
     assert said in ended.stderr.splitlines()[-1]
     assert ended.stderr.splitlines()[-1].startswith("acoexp: error: ")
     assert "Traceback" not in ended.stderr
     assert "2 of 4 trials finished" in ended.stdout
     assert [trial["config"][f"{group}.name"] for trial in trials(tmp_path)] == [good, good]
+    client = MlflowClient(f"sqlite:///{tmp_path}/outputs/mlflow.db")
+    runs = client.search_runs([client.get_experiment_by_name("acoexp").experiment_id])
+    failed = {run.data.params["seed"]: run for run in runs if run.info.status == "FAILED"}
+    assert failed.keys() == {"0", "1"}
+    assert all(said in run.data.tags["reason"] for run in failed.values())
 
 
 def test_a_part_whose_package_is_broken_is_refused_before_anything_runs(
@@ -98,6 +113,16 @@ def test_a_part_whose_package_is_broken_is_refused_before_anything_runs(
         "acoexp: error: heuristic 'absent' of package faulty-parts 1.0 cannot be imported"
     )
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.slow_without_jit
+@pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
+def test_what_cannot_be_compiled_is_tried_and_told_of_once(plugin: dict[str, str], tmp_path: Path) -> None:
+    ended = run_acoexp("diffusion=listing,none", "-m", "seed=0-2", *QUICK, cwd=tmp_path, env=plugin)
+    assert ended.returncode == 1
+    assert ended.stderr.count("compiling the colony") <= 2, ended.stderr
+    assert ended.stderr.count("must not allocate") == 1, ended.stderr
+    assert "3 of 6 trials finished" in ended.stdout
 
 
 def test_a_broken_package_harms_nobody_who_does_not_use_it(plugin: dict[str, str], tmp_path: Path) -> None:

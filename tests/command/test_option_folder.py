@@ -121,6 +121,13 @@ def test_a_file_that_reaches_for_hydra_or_for_code_is_refused(content: str, tmp_
     assert str(caught.value).startswith(f"{file}: expected settings of acoexp only")
 
 
+def test_a_file_that_is_no_yaml_is_named(tmp_path: Path) -> None:
+    file = write(tmp_path, "study/torn", "rho: [\n")
+    with pytest.raises(HydraException, match=r"expected YAML; while parsing") as caught:
+        load(tmp_path, "study/torn")
+    assert str(caught.value).startswith(str(file))
+
+
 @pytest.mark.parametrize("name", ["hydra/callbacks/evil", "hydra/evil", "study/hydra/evil"])
 def test_a_file_under_a_folder_called_hydra_is_refused(name: str, tmp_path: Path) -> None:
     write(tmp_path, name, HARMLESS)

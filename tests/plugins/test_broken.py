@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import numba
 import pytest
+from running import install
 
 import acoexp
-from acoexp import StrategyError, presets, registry
+from acoexp import SettingsError, StrategyError, presets, registry
+from acoexp.command.options import UserOptions
 from acoexp.command.parts import parts_text
 from acoexp.presets import find_preset, preset_names
 
@@ -18,12 +21,19 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from acoexp.colony.compiled import compiled
-from acoexp.strategies import Choice, Diffusion
+from acoexp.parameters import parameter
+from acoexp.strategies import Choice, Diffusion, Heuristic
 
 
 @compiled
 def look_into_nothing(colony, own, ant, cell, came):
     colony.nothing[cell] = 1.0
+
+
+@compiled
+def open_all(colony, own, ant, cell, came):
+    for edge in range(cell * 8, cell * 8 + 8):
+        colony.weight[edge] = 1.0
 
 
 @compiled
@@ -83,6 +93,80 @@ class Newer(Diffusion):
     kernel = staticmethod(stay)
 
 
+def wander(colony, own, ant, cell, came):
+    pass
+
+
+@compiled
+def hesitate(colony, own, cell):
+    pass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plain(Diffusion):
+    """Its kernel is plain Python."""
+
+    kernel = staticmethod(wander)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Misfit(Diffusion):
+    """Its kernel takes something else."""
+
+    kernel = staticmethod(hesitate)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Method(Diffusion):
+    """Its kernel would be bound to it."""
+
+    kernel = stay
+
+
+@dataclass(frozen=True, kw_only=True)
+class Idle(Diffusion):
+    """Has no kernel."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Undeclared(Diffusion):
+    """Has a field that is no parameter."""
+
+    share: float = 0.5
+    kernel = staticmethod(stay)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Manifold(Diffusion):
+    """Has a parameter of a type that nothing checks."""
+
+    shares: list[float] = parameter((), "shares")
+    kernel = staticmethod(stay)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Picky(Diffusion):
+    """Refuses its own default."""
+
+    share: float = parameter(0.5, "a share")
+    kernel = staticmethod(stay)
+
+    def __post_init__(self):
+        raise ValueError("half is too much")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Blind(Heuristic):
+    """Leaves out eta."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stray(Diffusion):
+    """Writes to what is not its own, so that others fail."""
+
+    kernel = staticmethod(open_all)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Eastwards(Choice):
     """Goes through walls."""
@@ -98,6 +182,20 @@ raising = bad_parts:Raising
 newer = bad_parts:Newer
 gaussian = bad_parts:Newer
 absent = bad_parts:Absent
+plain = bad_parts:Plain
+misfit = bad_parts:Misfit
+method = bad_parts:Method
+idle = bad_parts:Idle
+undeclared = bad_parts:Undeclared
+manifold = bad_parts:Manifold
+picky = bad_parts:Picky
+stray = bad_parts:Stray
+
+[acoexp.heuristic]
+blind = bad_parts:Blind
+
+[acoexp.difusion]
+breeze = bad_parts:Newer
 
 [acoexp.choice]
 eastwards = bad_parts:Eastwards
@@ -113,6 +211,9 @@ PRESETS = {
     "empty": "",
     "misnamed": "defaults: []\nalgo: other\n",
     "partial": "defaults:\n  - override /post: none\nalgo: partial\n",
+    "wrong": "defaults:\n"
+    + "".join(f"  - override /{group}: {part}\n" for group, part in find_preset("pd").parts.items())
+    + "algo: wrong\nants: many\n",
 }
 FEW = {"ants": 2, "iterations": 2}
 
@@ -120,18 +221,12 @@ FEW = {"ants": 2, "iterations": 2}
 @pytest.fixture(autouse=True)
 def broken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Install a package of broken parts and presets for the length of a test."""
-    files = {
-        "bad_parts/__init__.py": PARTS,
-        "bad_parts-1.0.dist-info/METADATA": "Metadata-Version: 2.1\nName: bad-parts\nVersion: 1.0\n",
-        "bad_parts-1.0.dist-info/entry_points.txt": ENTRIES,
-        **{f"bad_parts/conf/algo/{name}.yaml": text for name, text in PRESETS.items()},
-    }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text, encoding="utf-8")
+    presets = {f"bad_parts/conf/algo/{name}.yaml": text for name, text in PRESETS.items()}
+    install(tmp_path, "bad-parts", ENTRIES, {"bad_parts/__init__.py": PARTS, **presets})
     monkeypatch.syspath_prepend(tmp_path)
     forget()
     yield
+    sys.modules.pop("bad_parts", None)
     monkeypatch.undo()
     forget()
 
@@ -150,8 +245,8 @@ compiling = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing i
         pytest.param(
             "diffusion",
             "uncompilable",
-            r"the colony \(.*diffusion=uncompilable of bad-parts 1.0.*\) cannot be compiled: .*nothing.*"
-            r"at fault: diffusion 'uncompilable' of package bad-parts 1.0$",
+            r"^diffusion 'uncompilable' of package bad-parts 1.0 cannot be compiled: colony has no 'nothing'; "
+            r"\S+__init__.py:\d+: colony.nothing\[cell\] = 1.0$",
             marks=compiling,
         ),
         (
@@ -160,13 +255,39 @@ compiling = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing i
             "diffusion 'unprepared' of package bad-parts 1.0 failed in prepare: .*too bad",
         ),
         ("diffusion", "listing", "diffusion 'listing' of package bad-parts 1.0: expected .* got list at place 1"),
-        ("diffusion", "raising", r"diffusion=raising of bad-parts 1.0.* raised, seed 3: ValueError: given up"),
+        (
+            "diffusion",
+            "raising",
+            r"diffusion 'raising' of package bad-parts 1.0 raised, seed 3: ValueError: given up; \S+:\d+: raise",
+        ),
         (
             "diffusion",
             "newer",
             "diffusion 'newer' of package bad-parts 1.0 asks for version 2 of the contract, .* 1;",
         ),
         ("diffusion", "absent", "diffusion 'absent' of package bad-parts 1.0 cannot be imported"),
+        pytest.param(
+            "diffusion",
+            "plain",
+            "diffusion 'plain' of package bad-parts 1.0: kernel wander is not @compiled$",
+            marks=compiling,
+        ),
+        (
+            "diffusion",
+            "misfit",
+            r": kernel hesitate takes \(colony, own, cell\); it is called with \(colony, own, ant, cell, came\)$",
+        ),
+        ("diffusion", "method", r": expected kernel = staticmethod\(stay\)$"),
+        ("diffusion", "idle", "bad-parts 1.0: expected Idle to name its kernel"),
+        ("diffusion", "undeclared", "bad-parts 1.0: share is a field without parameter()"),
+        ("diffusion", "manifold", r"bad-parts 1.0: shares: expected one of the types .* got list\[float\]"),
+        ("heuristic", "blind", "heuristic 'blind' of package bad-parts 1.0: expected Blind to define eta"),
+        (
+            "diffusion",
+            "stray",
+            r"^most likely diffusion 'stray' of package bad-parts 1.0 \(choice 'roulette' of package acoexp \S+ "
+            "is built in\\) broke its contract, seed 3: an ant made moves that are not allowed",
+        ),
         ("choice", "eastwards", "choice 'eastwards' of package bad-parts 1.0 broke its contract, seed 3"),
     ],
 )
@@ -195,14 +316,46 @@ def test_built_in_parts_and_presets_go_on(caplog: pytest.LogCaptureFixture) -> N
 def test_a_broken_preset_is_named_with_its_package(name: str) -> None:
     assert name in preset_names()
     with pytest.raises(
-        StrategyError, match=f"algo '{name}' of package bad-parts 1.0: expected {name}.yaml to say"
+        StrategyError, match=f"algo '{name}' of package bad-parts 1.0: expected \\S+{name}.yaml to say"
     ):
         find_preset(name)
+
+
+def test_a_part_that_refuses_its_parameters_is_a_matter_of_settings() -> None:
+    with pytest.raises(SettingsError, match=r"^diffusion: ValueError: half is too much; got {'share': 0.5}$"):
+        acoexp.solve("env2", "aco", diffusion="picky")
+
+
+@pytest.mark.parametrize("name", ["torn", "misnamed"])
+def test_hydra_gets_no_preset_that_python_would_not_take(name: str, tmp_path: Path) -> None:
+    with pytest.raises(StrategyError, match=rf"algo '{name}' of package bad-parts 1.0: .*{name}.yaml"):
+        UserOptions("bad-parts", f"options://{tmp_path}/bad_parts/conf").load_config(f"algo/{name}")
+
+
+def test_what_is_wrong_in_a_preset_is_told_with_its_file() -> None:
+    with pytest.raises(
+        StrategyError, match=r"^algo 'wrong' of package bad-parts 1.0, \S+wrong.yaml: ants: expected"
+    ):
+        acoexp.solve("env2", "wrong")
+    with pytest.raises(SettingsError, match=r"^rho: expected"):
+        acoexp.solve("env2", "wrong", ants=3, rho=2.0)
+
+
+def test_a_part_in_a_group_that_there_is_not_is_told_of_where_it_is_missed() -> None:
+    with pytest.raises(
+        SettingsError, match=r"got 'breeze'; package bad-parts 1.0 registers breeze under"
+    ) as caught:
+        acoexp.solve("env2", "aco", diffusion="breeze")
+    assert str(caught.value).endswith("did you mean acoexp.diffusion?")
 
 
 def test_the_list_of_parts_tells_what_is_broken() -> None:
     text = parts_text()
     broken = {line.split()[0] for line in text.splitlines() if " BROKEN: " in line}
-    assert broken >= {"newer", "absent", "torn", "empty", "misnamed", "partial"}
+    assert broken >= {"newer", "absent", "torn", "empty", "misnamed", "partial", "idle", "undeclared", "blind"}
+    at_its_end = text.partition("== broken ==\n")[2]
+    assert "\nBROKEN: diffusion 'idle' of package bad-parts 1.0: " in at_its_end
+    assert "BROKEN: package bad-parts 1.0 registers breeze under acoexp.difusion" in at_its_end
+    assert "BROKEN: presets of package bad-parts 1.0: expected a package 'no_such_package'" in at_its_end
     assert "BROKEN: two packages call a diffusion 'gaussian'" in text
     assert "uncompilable  package bad-parts 1.0, contract 1, bad_parts:Uncompilable" in text

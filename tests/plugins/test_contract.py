@@ -10,8 +10,9 @@ from typing import Any
 
 import numba
 import pytest
+from running import install
 
-from acoexp import StrategyError
+from acoexp import SettingsError, StrategyError
 from acoexp.strategies.choice.roulette import Roulette
 from acoexp.strategies.diffusion.gaussian import Gaussian
 from acoexp.strategies.heuristic.potential_field import ForceGuided
@@ -30,13 +31,23 @@ from dataclasses import dataclass
 import numpy as np
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import set_level
+from acoexp.colony.pheromone import deposit, set_level
 from acoexp.strategies import Diffusion
 
 
 @compiled
 def beyond(colony, own, ant, cell, came):
     own[0][cell] = 1.0
+
+
+@compiled
+def anywhere(colony, own, ant, cell, came):
+    deposit(colony, cell * 8 + 3, 1e-6)
+
+
+@compiled
+def in_vain(colony, own, ant, cell, came):
+    own[7] = 1.0
 
 
 @compiled
@@ -58,6 +69,23 @@ class Beyond(Diffusion):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Anywhere(Diffusion):
+    kernel = staticmethod(anywhere)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Uncompilable(Diffusion):
+    kernel = staticmethod(in_vain)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Undeclared(Diffusion):
+    share: float = 0.5
+
+    kernel = staticmethod(anywhere)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Random(Diffusion):
     kernel = staticmethod(at_random)
 
@@ -74,13 +102,12 @@ class Wrapping(Diffusion):
 @pytest.fixture
 def contract_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     """Return a function that makes the tests of a faulty part."""
-    (tmp_path / "faulty_diffusions.py").write_text(PARTS, encoding="utf-8")
+    install(tmp_path, "faulty-diffusions", "", {"faulty_diffusions.py": PARTS})
     monkeypatch.syspath_prepend(tmp_path)
     module = import_module("faulty_diffusions")
 
     def make(name: str) -> StrategyContract:
-        tests = StrategyContract()
-        tests.part = getattr(module, name)()  # type: ignore[misc]
+        tests: StrategyContract = type("Tests", (StrategyContract,), {"part": getattr(module, name)()})()
         return tests
 
     yield make
@@ -88,8 +115,41 @@ def contract_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any
 
 
 def test_an_index_out_of_bounds_is_found(contract_of: Any) -> None:
-    with pytest.raises(AssertionError, match=r"NUMBA_BOUNDSCHECK(.|\n)*IndexError"):
-        contract_of("Beyond").test_nothing_is_read_or_written_out_of_bounds()
+    tests = contract_of("Beyond")
+    with pytest.raises(AssertionError) as caught:
+        tests.test_nothing_is_read_or_written_out_of_bounds()
+    (message, *_) = str(caught.value).splitlines()
+    assert message.startswith("under NUMBA_BOUNDSCHECK=1 NUMBA_DISABLE_JIT=0: a kernel of the colony ")
+    assert message.endswith("IndexError: index is out of bounds; most likely diffusion 'Beyond'")
+    for other in (tests.test_it_compiles_and_finds_valid_paths, tests.test_a_trial_depends_on_its_seed_alone):
+        with pytest.raises(pytest.skip.Exception, match="out of bounds"):
+            other()
+
+
+def test_pheromone_that_is_laid_where_no_ant_may_go_is_found(contract_of: Any) -> None:
+    with pytest.raises(AssertionError, match=r"moves that are not allowed, such as direction 3 from \(\d+, \d+\)"):
+        contract_of("Anywhere").test_pheromone_is_laid_on_allowed_moves_alone()
+
+
+def test_a_part_that_does_not_compile_fails_one_test_alone(contract_of: Any) -> None:
+    tests = contract_of("Uncompilable")
+    with pytest.raises(StrategyError, match="diffusion 'Uncompilable' cannot be compiled: "):
+        tests.test_it_compiles_and_finds_valid_paths()
+    others = (
+        tests.test_a_trial_depends_on_its_seed_alone,
+        tests.test_pheromone_is_laid_on_allowed_moves_alone,
+        tests.test_nothing_is_read_or_written_out_of_bounds,
+        tests.test_without_the_compiler_it_does_the_same,
+        lambda: tests.test_cost_per_ant_step(print),
+    )
+    for other in others:
+        with pytest.raises(pytest.skip.Exception):
+            other()
+
+
+def test_a_field_that_is_no_parameter_is_found(contract_of: Any) -> None:
+    with pytest.raises(SettingsError, match=r"share is a field without parameter\(\)"):
+        contract_of("Undeclared").test_it_compiles_and_finds_valid_paths()
 
 
 def test_random_numbers_of_its_own_are_found(contract_of: Any) -> None:
@@ -118,6 +178,7 @@ def test_a_part_of_each_group_passes(part: Any, capsys: pytest.CaptureFixture[st
     tests.part = part  # type: ignore[misc]
     tests.test_it_compiles_and_finds_valid_paths()
     tests.test_a_trial_depends_on_its_seed_alone()
+    tests.test_pheromone_is_laid_on_allowed_moves_alone()
     tests.test_without_the_compiler_it_does_the_same()
     tests.test_cost_per_ant_step(noted.__setitem__)
     assert noted["ratio_to_plain"] > 0.1

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
 import sysconfig
+import tomllib
 import venv
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 from mlflow import MlflowClient
 from running import environment, trials
+from running import install as install_package
 
 pytestmark = pytest.mark.slow_without_jit
 
@@ -26,10 +30,10 @@ class Installed(NamedTuple):
 
     python: Path
 
-    def run(self, *args: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    def run(self, *args: str, cwd: Path, env: Mapping[str, str] | None = None) -> subprocess.CompletedProcess[str]:
         """Run its Python."""
         return subprocess.run(
-            [str(self.python), *args], cwd=cwd, env=environment(), capture_output=True, text=True, timeout=300
+            [str(self.python), *args], cwd=cwd, env=environment(env), capture_output=True, text=True, timeout=300
         )
 
     def acoexp(self, *args: str, cwd: Path) -> str:
@@ -97,7 +101,7 @@ def test_its_part_and_its_preset_run(installed: Installed, tmp_path: Path) -> No
     configs = [trial["config"] for trial in trials(tmp_path)]
     assert {(c["algo"], c["diffusion.keep"], c["ants"]) for c in configs} == {
         ("custom", "0.5", "3"),
-        ("shy", "0.98", "20"),
+        ("shy", "0.98", "10"),
     }
 
 
@@ -142,6 +146,30 @@ def test_its_own_tests_pass(installed: Installed, tmp_path: Path) -> None:
     ended = installed.run("-m", "pytest", "-q", "-s", "tests", cwd=tmp_path)
     assert ended.returncode == 0, ended.stdout
     assert "ns per ant step" in ended.stdout
+
+
+def test_renamed_as_its_readme_says_it_is_a_package_of_its_own(installed: Installed, tmp_path: Path) -> None:
+    copy = tmp_path / "plugins"
+    shutil.copytree(EXAMPLE, copy / EXAMPLE.name)
+    rename = re.findall(r"```bash\n(.*?)```", (EXAMPLE / "README.md").read_text("utf-8"), re.S)[1]
+    subprocess.run(["bash", "-euo", "pipefail", "-c", rename], cwd=copy, check=True)
+    package = copy / "acoexp-mine"
+    texts = {file: file.read_text("utf-8") for file in package.rglob("*") if file.is_file()}
+    assert not [file for file, text in texts.items() if re.search("shy", f"{file.relative_to(copy)}{text}", re.I)]
+
+    project = tomllib.loads(texts[package / "pyproject.toml"])["project"]
+    entries = "".join(
+        f"[{group}]\n" + "".join(f"{name} = {value}\n" for name, value in values.items())
+        for group, values in project["entry-points"].items()
+    )
+    there = install_package(package / "src", project["name"], entries, {})
+    ended = installed.run(
+        "-m", "pytest", "-q", "-k", "not (cost or bounds or without)", "tests", cwd=package, env=there
+    )
+    assert ended.returncode == 0, ended.stdout
+    ended = installed.run("-m", "acoexp", "algo=mine", *QUICK, cwd=tmp_path, env=there)
+    assert ended.returncode == 0, ended.stderr
+    assert [trial["config"]["diffusion.name"] for trial in trials(tmp_path)] == ["mine"]
 
 
 def test_half_uninstalled_it_harms_nobody(wheels: list[str], tmp_path: Path) -> None:

@@ -49,6 +49,16 @@ def test_a_label_has_single_blanks() -> None:
     assert parsed("  pd   ants=9 ").label == "pd ants=9"
 
 
+@pytest.mark.parametrize("text", ["my own: pd ants=9", "my own:pd  ants=9", " my  own :pd ants=9"])
+def test_a_cell_may_have_a_name(text: str) -> None:
+    assert parsed(text) == Cell("my own", "pd ants=9", resolve("pd", {"ants": 9}))
+
+
+def test_a_colon_in_a_value_is_no_name() -> None:
+    with pytest.raises(SettingsError, match="rho: expected a number"):
+        parsed("pd rho=a:b")
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [

@@ -7,6 +7,7 @@ import json
 import re
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
@@ -16,9 +17,11 @@ from PIL import Image
 from running import environment, listing, refusal, run_acoexp
 
 from acoexp import solve_many
+from acoexp.registry import STRATEGY_GROUPS
 from acoexp.report.report import written_whole
 
 CELLS = 'report.cells=[aco,"pd ants=3"]'
+NAMED = 'report.cells=["plain: aco","more: pd"]'
 SMALL = ("report=compare", "iterations=4", "ants=2", "report.trials=3")
 FILES = {
     "index.html",
@@ -87,6 +90,27 @@ def test_its_json_holds_the_same_rows_and_what_they_depend_on(folder: Path) -> N
     assert content["configurations"]["aco"]["ants"] == 2
     assert content["configurations"]["pd ants=3"]["ants"] == 3
     assert content["configurations"]["pd ants=3"]["diffusion"]["name"] == "gaussian"
+
+
+def test_it_tells_of_which_packages_the_parts_are(folder: Path) -> None:
+    packages = json.loads((folder / "report.json").read_text("utf-8"))["packages"]
+    assert list(packages) == ["aco", "pd ants=3"]
+    assert packages["aco"] == dict.fromkeys(STRATEGY_GROUPS, f"acoexp {version('acoexp')}")
+
+
+def test_it_warns_where_efforts_differ(folder: Path) -> None:
+    said = "Warning: the configurations differ in ants (aco: 2, pd ants=3: 3), so their efforts differ too."
+    assert said in (folder / "report.md").read_text("utf-8")
+    assert said in (folder / "index.html").read_text("utf-8")
+
+
+def test_cells_with_names_are_called_by_them_and_those_of_one_effort_are_not_warned_of(tmp_path: Path) -> None:
+    ended = run_acoexp(NAMED, *SMALL, cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert re.search(r"^fig13 +more +\d/3 ", ended.stdout, re.M)
+    report = (tmp_path / "outputs/reports/compare/report.md").read_text("utf-8")
+    assert "plain is aco. more is pd." in report
+    assert "Warning" not in report
 
 
 def test_its_page_needs_no_other_file(folder: Path) -> None:

@@ -11,6 +11,7 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -36,25 +37,14 @@ def answers(uri: str) -> bool:
         return False
 
 
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """Run an MLflow server and return its address."""
-    home = tmp_path_factory.mktemp("server")
-    uri = f"http://127.0.0.1:{free_port()}"
+@contextmanager
+def serving(home: Path, uri: str) -> Iterator[subprocess.Popen[bytes]]:
+    """Run an MLflow server whose store lies in a folder; it is killed in the end."""
     options = ["--backend-store-uri", f"sqlite:///{home}/served.db", "--artifacts-destination", f"{home}/served"]
+    command = ["mlflow", "server", *options, "--port", uri.rpartition(":")[2], "--workers", "1"]
     with (home / "log").open("w") as log:
         process = subprocess.Popen(
-            [
-                sys.executable,
-                "-m",
-                "mlflow",
-                "server",
-                *options,
-                "--port",
-                uri.rpartition(":")[2],
-                "--workers",
-                "1",
-            ],
+            [sys.executable, "-m", *command],
             cwd=home,
             env=environment({"MLFLOW_SERVER_ENABLE_JOB_EXECUTION": "false"}),  # no helpers that outlive it
             stdout=log,
@@ -67,10 +57,25 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
             assert process.poll() is None, (home / "log").read_text()
             assert time.monotonic() < deadline
             time.sleep(0.1)
-        yield uri
+        yield process
     finally:
-        os.killpg(process.pid, signal.SIGKILL)  # at once: nobody needs its store any more
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)  # at once: nobody needs its store any more
         process.wait(timeout=30.0)
+
+
+@pytest.fixture(scope="module")
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of a server's store."""
+    return tmp_path_factory.mktemp("server")
+
+
+@pytest.fixture
+def server(home: Path) -> Iterator[str]:
+    """Run an MLflow server and return its address."""
+    uri = f"http://127.0.0.1:{free_port()}"
+    with serving(home, uri):
+        yield uri
 
 
 def test_a_server_takes_the_runs_of_a_sweep_and_what_is_too_long(server: str, tmp_path: Path) -> None:
@@ -104,3 +109,35 @@ def test_a_server_that_is_not_there_is_told_soon_and_in_one_line(tmp_path: Path)
     assert message.startswith(
         f"tracking.uri: expected an MLflow store that can be written; {uri} cannot be opened"
     )
+
+
+def test_a_server_that_is_killed_and_comes_back_within_a_sweep_loses_nothing(tmp_path: Path) -> None:
+    store, work = tmp_path / "store", tmp_path / "work"
+    store.mkdir()
+    work.mkdir()
+    uri = f"http://127.0.0.1:{free_port()}"
+    sweep_of_twenty = ("-m", "algo=aco", "seed=0-19", "iterations=5", "ants=2", f"tracking.uri={uri}")
+    with serving(store, uri):
+        sweep = subprocess.Popen(
+            [sys.executable, "-m", "acoexp", *sweep_of_twenty],
+            cwd=work,
+            env=environment(),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        deadline = time.monotonic() + 120.0
+        while len(trials(work)) < 5:
+            assert sweep.poll() is None, sweep.communicate()[1]
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+    time.sleep(2.0)  # it is away while trials end
+    with serving(store, uri):
+        said = sweep.communicate(timeout=240.0)
+        assert sweep.returncode == 0, said
+        assert "20 of 20 trials finished" in said[0]
+        assert "trying again" in said[1]
+        client = MlflowClient(uri)
+        runs = client.search_runs([client.get_experiment_by_name("acoexp").experiment_id])
+    assert {run.info.status for run in runs} == {"FINISHED"}
+    assert sorted(int(run.data.params["seed"]) for run in runs) == list(range(20))

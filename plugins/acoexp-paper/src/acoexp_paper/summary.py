@@ -46,9 +46,7 @@ _NUMBERS = {
 def summary(found: Findings) -> list[Block]:
     """Return the summary."""
     blocks: list[Block] = [
-        Text(
-            f"Of {len(CLAIMS)} claims of the paper that can be tested, {_counted(found.claims)}. {_averages(found)}"
-        )
+        Text(f"Of {len(CLAIMS)} claims of the paper, {_counted(found.claims)}. {_averages(found)}")
     ]
     for verdict in VERDICTS:
         blocks += _of_verdict(found, verdict)

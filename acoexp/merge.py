@@ -1,0 +1,71 @@
+"""``python -m acoexp.merge STORE ...``: runs that were made elsewhere are brought into one store."""
+
+from __future__ import annotations
+
+import sys
+from argparse import ArgumentParser
+from pathlib import Path
+
+import yaml
+from rich.console import Console
+from rich.progress import Progress
+
+from acoexp.errors import AcoexpError, TrackingError
+from acoexp.presets import conf_dir
+from acoexp.tracking.merge import merge
+from acoexp.tracking.mlflow_tracker import MlflowTracker
+from acoexp.tracking.store import Store
+from acoexp.tracking.tracker import check_uri
+
+
+def main(argv: list[str] | None = None) -> None:
+    """Run the command; leaves by ``SystemExit`` if anything is wrong."""
+    default = yaml.safe_load((conf_dir() / "tracking" / "mlflow.yaml").read_text(encoding="utf-8"))["uri"]
+    parser = ArgumentParser(
+        prog="python -m acoexp.merge",
+        description="Bring the finished runs of other stores into one, each trial and each batch once.",
+    )
+    parser.add_argument(
+        "source", nargs="+", help="database file, or address of an MLflow store, to bring runs from"
+    )
+    parser.add_argument("--into", default=default, metavar="STORE", help="where to bring them [%(default)s]")
+    arguments = parser.parse_args(argv)
+    try:
+        sources = [_existing(source) for source in arguments.source]
+        target = MlflowTracker(_address(arguments.into))
+        for source in sources:
+            if source.uri == target.store.uri:
+                raise TrackingError(f"expected a store other than the one to bring runs into; got {source.shown}")
+        target.prepare()
+        for source in sources:
+            _merge(source, target.store)
+    except (AcoexpError, OSError) as problem:
+        print(f"acoexp: error: {' '.join(str(problem).split())}", file=sys.stderr)
+        sys.exit(1)
+
+
+def _merge(source: Store, target: Store) -> None:
+    console = Console(file=sys.stderr)
+    with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
+        task = progress.add_task("runs", total=None)
+        merged = merge(source, target, lambda done, runs: progress.update(task, completed=done, total=runs))
+    print(
+        f"{merged.brought} runs brought from {source.shown}; {merged.there} were there already, "
+        f"{merged.left} are not finished"
+    )
+
+
+def _existing(text: str) -> Store:
+    store = Store(_address(text))
+    if store.file is not None and not store.file.is_file():
+        raise TrackingError(f"expected an MLflow database to bring runs from; there is no file {store.file}")
+    return store
+
+
+def _address(text: str) -> str:
+    """Return the address of a store that is named by it, or by its database file."""
+    return check_uri(text if "://" in text else f"sqlite:///{Path(text).absolute()}")
+
+
+if __name__ == "__main__":
+    main()
