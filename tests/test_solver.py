@@ -149,3 +149,17 @@ def test_extreme_settings_give_ways_and_finite_weights_without_a_warning(
         assert np.isfinite(workspace.colony.weight).all()
         assert (workspace.colony.weight >= 0.0).all()
         assert np.isfinite(workspace.colony.stored).all()
+
+
+def test_the_pheromone_after_a_trial_is_what_stayed_and_what_was_laid() -> None:
+    solver = Solver(
+        as_grid("env2"), resolve("aco", {"ants": 1, "iterations": 1, "rho": 0.25, "tau0": 2.0, "q": 3.0})
+    )
+    seed = next(seed for seed in range(100) if solver.solve(seed).moves is not None)
+    result = solver.solve(seed)
+    expected = np.full((*solver.grid.shape, 8), np.nan)
+    bits = np.unpackbits(solver.grid.allowed[..., None], axis=-1, bitorder="little").astype(bool)
+    expected[bits] = 0.75 * 2.0
+    for (row, col), move in zip(result.path[:-1], result.moves, strict=True):
+        expected[row, col, move] += 3.0 / result.length
+    np.testing.assert_allclose(solver.pheromone(seed), expected)
