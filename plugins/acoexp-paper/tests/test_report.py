@@ -21,6 +21,7 @@ from small import ENSEMBLE_TRIALS, MAPS, OWN, TRIALS, context
 
 from acoexp import solve_many
 from acoexp.errors import AcoexpError
+from acoexp.settings import resolve
 
 pytestmark = pytest.mark.slow_without_jit
 
@@ -192,6 +193,15 @@ def test_a_map_that_is_not_the_papers_is_refused(
     Path("empty.txt").write_text(("." * 20 + "\n") * 20, encoding="utf-8")
     with pytest.raises(AcoexpError, match=message):
         Paper(maps=(given,)).check(context(tmp_path))
+
+
+def test_settings_that_would_not_be_used_are_refused(tmp_path: Path) -> None:
+    other_map = replace(context(tmp_path), grid=builtin_map("env2"))
+    with pytest.raises(AcoexpError, match="map: expected none with report=paper"):
+        Paper().check(other_map)
+    other_part = replace(context(tmp_path), settings=resolve("pdg", {"post": "none"}))
+    with pytest.raises(AcoexpError, match="post: expected none with report=paper"):
+        Paper().check(other_part)
 
 
 def test_the_command_finds_it_by_its_entry_point(tmp_path: Path) -> None:
