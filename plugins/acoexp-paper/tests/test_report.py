@@ -152,7 +152,7 @@ def test_written_again_its_tables_are_the_same_bytes(smaller: Paper, report: Pat
 
 def test_what_was_there_stays_if_it_cannot_be_written(report: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     before = (report / "index.html").read_bytes()
-    monkeypatch.setattr("acoexp_paper.report.as_html", lambda *_: 1 / 0)
+    monkeypatch.setattr("acoexp_paper.figures.everything.save_figures", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         Paper(trials=10, ensemble_trials=0).write(context(report))
     assert (report / "index.html").read_bytes() == before

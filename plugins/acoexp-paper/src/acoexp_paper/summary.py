@@ -37,8 +37,8 @@ _HEADING = {
     DEPENDS: "What depends on the map",
 }
 _NUMBERS = {
-    HOLDS: "Published numbers that ten of our trials may well have",
-    FAILS: "Published numbers that ten of our trials would hardly have",
+    HOLDS: "Published numbers that ten of our trials may well have on most maps",
+    FAILS: "Published numbers that ten of our trials would hardly have on most maps",
     DEPENDS: "Published numbers that they may have on some maps and not on others",
 }
 
