@@ -16,6 +16,7 @@ from acoexp.colony.cache import compile_once
 from acoexp.colony.loop import Own, Record, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import new_colony, new_trails
+from acoexp.colony.walk import ORDERS
 from acoexp.features import Features, features_of
 from acoexp.grid import Grid, allowed_moves, path_length
 from acoexp.reconstruct.screen import SIZE
@@ -62,12 +63,11 @@ class Colonies:
         kernels = {group: settings.parts[group].kernel for group in Own._fields}
         own = Own(*(settings.parts[group].prepare(problem) for group in Own._fields))
         initial = np.array([settings.scalars.tau0])
-        self._arguments = colony, own, initial, raw, raw, new_trails(2, cells), np.empty(1, dtype=np.int32)
+        order = ORDERS[settings.scalars.order]
+        self._arguments = colony, None, own, initial, raw, raw, new_trails(2, cells), np.empty(1, dtype=np.int32)
         self._iterations = settings.scalars.iterations
-        self._loop = make_loop(
-            **dict(zip(("choose", "diffuse", "optimise", "update"), kernels.values(), strict=True))
-        )
-        compile_once(self._loop, tuple(kernels.values()), (*self._arguments, self._new_record(), np.uint64(0)))
+        self._loop = make_loop(order, *kernels.values())
+        compile_once(self._loop, (order, *kernels.values()), (*self._arguments, self._new_record(), np.uint64(0)))
 
     def run(self, obstacles: NDArray[np.bool_], seeds: Iterable[int]) -> Outcomes:
         """Run one trial per seed on a map, bool[20, 20], and return what they came to.
