@@ -30,6 +30,10 @@ class TrackingError(AcoexpError, OSError):
     """The store of results cannot be reached or written."""
 
 
+class StoreGoneError(TrackingError):
+    """The store was there and has been away for longer than one waits for it."""
+
+
 def did_you_mean(given: Any, known: Iterable[str]) -> str:
     """Return the end of a message that refuses a word: the known one that is most like it, if one is."""
     like = get_close_matches(str(given), list(known), n=1, cutoff=0.8)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import sys
 from functools import cache
 
 import numba
@@ -16,6 +17,7 @@ import numpy as np
 
 from acoexp.colony.cache import digest_of_sources
 from acoexp.grid import Grid
+from acoexp.seeds import Seeds
 from acoexp.settings import Settings
 
 _OWN_PACKAGE = __name__.partition(".")[0]
@@ -24,7 +26,7 @@ _TAKES_PART = ("colony", "grid", "strategies", "features.py", "field.py", "resul
 
 def cell_identity(settings: Settings, grid: Grid) -> str:
     """Return the identity of all trials of one configuration on one map: everything but the seed."""
-    packages = {type(part).__module__.partition(".")[0] for part in settings.parts.values()}
+    packages = {package for part in settings.parts.values() for package in _packages(part)}
     code = [_code(package) for package in sorted(packages | {_OWN_PACKAGE})]
     return _digest([settings.as_dict(), grid.name, grid.digest, code, numba.__version__, np.__version__])
 
@@ -36,7 +38,15 @@ def trial_identity(cell: str, seeds: object) -> str:
         cell: The cell's identity.
         seeds: The trial's seed, or the batch's seeds.
     """
-    return _digest([cell, str(seeds)])
+    return _digest([cell, "batch" if isinstance(seeds, Seeds) else "trial", str(seeds)])
+
+
+def _packages(part: object) -> set[str]:
+    """Return the top-level packages that a part's class, its bases and its kernel come from."""
+    kernel = getattr(part, "kernel", None)
+    modules = [base.__module__ for base in type(part).__mro__]
+    modules.append(getattr(getattr(kernel, "py_func", kernel), "__module__", _OWN_PACKAGE))
+    return {module.partition(".")[0] for module in modules} - sys.stdlib_module_names
 
 
 @cache

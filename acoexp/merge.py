@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sqlite3
 import sys
 from argparse import ArgumentParser
+from contextlib import closing
 from pathlib import Path
 
 import yaml
@@ -39,6 +41,9 @@ def main(argv: list[str] | None = None) -> None:
         target.prepare()
         for source in sources:
             _merge(source, target.store)
+    except KeyboardInterrupt:
+        print("acoexp: interrupted; what was brought is kept", file=sys.stderr)
+        sys.exit(130)
     except (AcoexpError, OSError) as problem:
         print(f"acoexp: error: {' '.join(str(problem).split())}", file=sys.stderr)
         sys.exit(1)
@@ -59,7 +64,18 @@ def _existing(text: str) -> Store:
     store = Store(_address(text))
     if store.file is not None and not store.file.is_file():
         raise TrackingError(f"expected an MLflow database to bring runs from; there is no file {store.file}")
+    if store.file is not None and not _is_mlflows(store.file):
+        raise TrackingError(f"expected an MLflow database to bring runs from; {store.file} is none")
     return store
+
+
+def _is_mlflows(file: Path) -> bool:
+    """Look for MLflow's table, so that MLflow does not lay its own out in what is no store of its."""
+    try:
+        with closing(sqlite3.connect(f"{file.absolute().as_uri()}?mode=ro", uri=True)) as database:
+            return bool(database.execute("SELECT 1 FROM sqlite_master WHERE name = 'experiments'").fetchone())
+    except sqlite3.DatabaseError:
+        return False
 
 
 def _address(text: str) -> str:

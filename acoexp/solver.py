@@ -169,7 +169,8 @@ class Solver:
         try:
             return self._trial(workspace, seed)
         except StrategyError as problem:
-            return Failure(seed, problem)
+            problem.__cause__ = None
+            return Failure(seed, problem.with_traceback(None))  # its frames would keep the trial's memory
 
     def _trial(self, workspace: Workspace, seed: int) -> Result:
         record = _new_record(self.settings.scalars.iterations)

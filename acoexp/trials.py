@@ -112,6 +112,7 @@ class Trials:
             raise ValueError(f"no archive of trials: {problem}") from problem
 
 
+_SLICE = 10_000  # rows in memory as Python's numbers at a time
 _COLUMNS = ("seeds", "curve_pairs", "lost_ants", "ant_steps")
 
 
@@ -154,7 +155,7 @@ def aggregate(table: NDArray[np.void], optimum: float, iterations: int) -> Aggre
 def csv_lines(table: NDArray[np.void]) -> Iterator[str]:
     """Yield a table's heading and rows as lines of CSV; what is undefined stays empty."""
     yield ",".join(TABLE.names or ())
-    for row in table.tolist():
+    for row in (row for first in range(0, len(table), _SLICE) for row in table[first : first + _SLICE].tolist()):
         seed, *cycles_and_lengths, lost, steps = row
         shown = ["" if value == 0 or value != value else repr(value) for value in cycles_and_lengths]
         yield ",".join([str(seed), *shown, str(lost), str(steps)])

@@ -131,13 +131,13 @@ def _in_full(flag: str, parser: ArgumentParser) -> str:
 def _quote_seeds(override: str) -> str | None:
     """Return ``seeds=0-9,20`` as one text for one batch, which Hydra will not take for several values."""
     key, equals, value = override.partition("=")
-    if key != "seeds" or not equals or value.lower() == "null":
+    if key.lstrip("+") != "seeds" or not equals or value.lower() == "null":
         return None
-    return f"seeds='{parse_seeds(value.strip(chr(39) + chr(34)))}'"
+    return f"{key}='{parse_seeds(value.strip(chr(39) + chr(34)))}'"
 
 
 def _refuse_seed_with_seeds(overrides: list[str]) -> None:
-    given = {override.partition("=")[0]: override for override in overrides}
+    given = {override.lstrip("+").partition("=")[0]: override for override in overrides}
     if "seed" in given and "seeds" in given and given["seeds"] != "seeds=null":
         raise SettingsError(
             f"expected seed for trials, each a run, or seeds for a batch, one run; got {given['seed']} "

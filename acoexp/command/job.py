@@ -15,9 +15,10 @@ from omegaconf.errors import OmegaConfBaseException
 
 from acoexp import registry
 from acoexp.command import summary
+from acoexp.command.messages import print_error
 from acoexp.command.parcel import Parcel
 from acoexp.command.records import run_batch_job, run_trial_job
-from acoexp.errors import SettingsError
+from acoexp.errors import SettingsError, StoreGoneError
 from acoexp.grid import Grid
 from acoexp.report.context import Context
 from acoexp.report.report import Report
@@ -39,7 +40,11 @@ def run_job(config: DictConfig) -> float:
         AcoexpError: for whatever went wrong.
     """
     with Parcel().at_home():  # files and stores are named from there, also under hydra.job.chdir
-        return Job(config).run()
+        try:
+            return Job(config).run()
+        except StoreGoneError as problem:  # no further job could be kept either, so the sweep ends here
+            print_error(problem)
+            raise SystemExit(1) from problem
 
 
 class Job:
@@ -67,6 +72,8 @@ class Job:
         self.resume = _check_flag("resume", self.config.get("resume"))
         self.setup = Setup(self._settings(), self._grid(), self.config)
         self.report = self._report()
+        if self.report is not None and self.seeds is not None:
+            raise SettingsError(f"seeds: expected none with a report, which has keys of its own; got {seeds!r}")
         if self.report is not None:
             self.report.check(self._context(self.report, Path()))
 

@@ -47,8 +47,13 @@ def finished(folder: Path) -> dict[Path, int]:
 
 def trials_done(folder: Path, records: Iterable[Path]) -> int:
     """Return how many trials are done below a folder, those of unfinished batches too."""
-    batches = sum(int(file.read_text(encoding="utf-8")) for file in folder.rglob(PROGRESS))
-    return batches + sum(record.name == TRIAL for record in records)
+    return in_progress(folder) + sum(record.name == TRIAL for record in records)
+
+
+def in_progress(folder: Path, finished: bool = True) -> int:
+    """Return how many trials of batches are done below a folder, also of those that are finished or not."""
+    files = (file for file in folder.rglob(PROGRESS) if finished or not file.with_name(BATCH).exists())
+    return sum(int(file.read_text(encoding="utf-8")) for file in files)
 
 
 def read(file: Path) -> dict[str, Any]:
@@ -91,13 +96,19 @@ def outcomes(records: Iterable[Mapping[str, Any]]) -> list[Outcome]:
 
 
 def _of_batch(record: Mapping[str, Any]) -> Outcome:
-    summary = Aggregates(**{name: record[name] for name in Aggregates._fields})
+    summary = Aggregates(**{name: _with_nan(record[name]) for name in Aggregates._fields})
     return Outcome(
         *_said(record),
         summary=summary,
         found=round(summary.success_rate * summary.trials),
         milliseconds=1000.0 * (math.nan if record["seconds"] is None else record["seconds"]),
     )
+
+
+def _with_nan(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _with_nan(inner) for key, inner in value.items()}
+    return math.nan if value is None else value
 
 
 def _of_trials(records: list[Mapping[str, Any]]) -> Outcome:
@@ -112,7 +123,7 @@ def _of_trials(records: list[Mapping[str, Any]]) -> Outcome:
     seconds = [record["seconds"] for record in records if record["seconds"] is not None]
     return Outcome(
         *_said(records[0]),
-        summary=aggregate(table, optimum, 0),
+        summary=aggregate(table, optimum, 0)._replace(expected_cycles=math.nan),  # not in the table
         found=int((table["l1"] == optimum).sum()),
         milliseconds=1000.0 * float(np.mean(seconds)) if seconds else math.nan,
     )

@@ -39,9 +39,9 @@ def run_trial_job(setup: Setup, seed: int, tracker: Tracker, folder: Path, *, an
         draw_map(result, folder / "path.png")
         draw_convergence(result, folder / "convergence.png")
     trial = Trial(setup, result)
-    tracker.log(trial, anew=anew)
     content = {**result.as_dict(), "seconds": seconds, "cell": setup.cell, "config": trial.params}
     _write(folder / TRIAL, json.dumps(content))
+    tracker.log(trial, anew=anew)
     return result.length if result.path is not None else math.inf
 
 
@@ -61,10 +61,10 @@ def run_batch_job(
         resume=not anew,
         tell=lambda done: _write(folder / PROGRESS, str(done)),
     )
-    with (folder / "trials.csv").open("w", encoding="utf-8") as lines:
-        lines.writelines(f"{line}\n" for line in csv_lines(batch.table))
-    record = _record(setup, seeds, batch)
-    _write(folder / BATCH, json.dumps(record))
+    if len(batch.table):
+        with (folder / "trials.csv").open("w", encoding="utf-8") as lines:
+            lines.writelines(f"{line}\n" for line in csv_lines(batch.table))
+        _write(folder / BATCH, json.dumps(_without_nan(_record(setup, seeds, batch))))
     if batch.failures:
         raise StrategyError(f"{len(batch.failures)} of {len(seeds)} trials failed: {batch.failures[0].reason}")
     lengths = batch.table["l1"]
@@ -82,8 +82,16 @@ def _record(setup: Setup, seeds: Seeds, batch: Batch) -> dict[str, Any]:
         "optimum": setup.grid.optimum,
         **summary._asdict(),
         "failed": len(batch.failures),
+        "ran": batch.ran,
         "seconds": batch.seconds / batch.ran if batch.ran else None,
     }
+
+
+def _without_nan(value: Any) -> Any:
+    """Return plain values as JSON has them: null where a number is not one."""
+    if isinstance(value, dict):
+        return {key: _without_nan(inner) for key, inner in value.items()}
+    return None if isinstance(value, float) and math.isnan(value) else value
 
 
 def _write(file: Path, text: str) -> None:

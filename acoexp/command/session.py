@@ -120,8 +120,8 @@ def _leave_out_what_is_there(
     in_store = {job.setup.cell: job.tracker.find(job.setup.cell) for job in jobs.values() if job.resume}
     missing, there, found, total = [], [], 0, 0
     for arguments in BasicSweeper.split_arguments(parsed, None)[0]:
-        job = jobs[tuple(a for a in arguments if not a.startswith("seed="))]
-        seed = next((a.removeprefix("seed=") for a in arguments if a.startswith("seed=")), str(job.seed))
+        job = jobs[tuple(a for a in arguments if not _is_seed(a))]
+        seed = next((a.partition("=")[2] for a in arguments if _is_seed(a)), str(job.seed))
         identity = job.setup.identity(seed if job.seeds is None else job.seeds)
         run = in_store.get(job.setup.cell, {}).get(identity)
         total += job.trials
@@ -137,6 +137,10 @@ def _leave_out_what_is_there(
     # Hydra would compose every job once more to see whether it is legal: 40 s of silence for 500 of them
     BasicSweeper.validate_batch_is_legal = lambda *_: None  # type: ignore[method-assign]
     sweep.begin(folder, total, where, there, found)
+
+
+def _is_seed(argument: str) -> bool:
+    return argument.lstrip("+").partition("=")[0] == "seed"
 
 
 def _check_seeds(override: Override) -> None:

@@ -50,11 +50,12 @@ class _Sweep:
         self.thread.join()
         seconds = time.perf_counter() - self.began
         records = [outcome.read(file) for file in self.finished()]
-        done = sum(record.get("trials", 1) for record in records)
+        ran = sum(record.get("ran", 1) for record in records) + outcome.in_progress(self.folder, finished=False)
+        found = self.found + sum(record["trials"] - record["ran"] for record in records if "ran" in record)
         of_all = "" if self.trials is None else f" of {self.trials}"
-        ended = f"{done}{of_all} trials finished in {seconds:.1f} s"
-        if self.found:
-            ended += f", {self.found} found in the store"
+        ended = f"{ran}{of_all} trials finished in {seconds:.1f} s"
+        if found:
+            ended += f", {found} found in the store"
         summary.print_sweep([*self.there, *records], self.folder, self.where, ended)
 
 

@@ -50,7 +50,7 @@ class Part:
     @property
     def kernel(self) -> Callable[..., Any] | None:
         """What acts: ``kernel = staticmethod(...)``, or a property where it depends on the parameters."""
-        raise NotImplementedError(f"{type(self).__name__}.kernel")
+        raise AttributeError(f"{type(self).__name__}.kernel")
 
     def prepare(self, problem: Problem) -> tuple[Any, ...]:
         """Return the part's own state: a tuple or NamedTuple of numbers and arrays.
@@ -120,9 +120,14 @@ def check_part(owner: type) -> None:
         raise StrategyError(f"expected {owner.__name__} to define {' and '.join(missing)}")
     call = next((call for kind, call in CALLS.items() if issubclass(owner, kind)), None)
     kernel = inspect.getattr_static(owner, "kernel", None)
-    if call is None or isinstance(kernel, property) or (kernel is None and issubclass(owner, Post)):
+    inherited = kernel is inspect.getattr_static(Part, "kernel")
+    if (
+        call is None
+        or (kernel is None and issubclass(owner, Post))
+        or (isinstance(kernel, property) and not inherited)
+    ):
         return
-    if kernel is None:
+    if kernel is None or inherited:
         raise StrategyError(f"expected {owner.__name__} to name its kernel: kernel = staticmethod(...)")
     bare = getattr(kernel, "__func__", kernel)
     name = getattr(bare, "__name__", repr(bare))

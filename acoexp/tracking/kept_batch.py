@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from acoexp.batch import Batch, run_batch
-from acoexp.errors import StrategyError
 from acoexp.seeds import Seeds
 from acoexp.solver import Solver
 from acoexp.tracking.setup import Setup
-from acoexp.tracking.tracker import Tracker
+from acoexp.tracking.tracker import BatchLog, Tracker
 from acoexp.trials import Trials, aggregate, csv_lines
 
 log = logging.getLogger(__name__)
@@ -44,38 +44,48 @@ def keep_batch(
         StrategyError: if the colony cannot be made. A trial that fails is in the batch's ``failures``.
         TrackingError: if the batch cannot be kept.
     """
-    there = tracker.find_trials(setup.cell, seeds) if resume else []
-    for portion in there:
-        receive(portion)
-    found = sum(map(len, there))
-    if found:
-        log.info("%d of %d trials found in the store", found, len(seeds))
-    if found == len(seeds) and tracker.has(setup.identity(seeds)):
-        return run_batch(Solver(setup.grid, setup.settings), (), receive, there=there, tell=tell)
-    run = tracker.begin(setup, seeds, anew=not resume)
+    is_there = resume and tracker.has(setup.identity(seeds))
+    run = None if is_there else tracker.begin(setup, seeds, anew=not resume)
 
     def keep(portion: Trials) -> None:
-        run.keep(portion)
+        if run is not None:
+            run.keep(portion)
         receive(portion)
+
+    found: list[NDArray[np.uint64]] = []
+
+    def there() -> Iterator[Trials]:
+        for portion in tracker.find_trials(setup.cell, seeds) if resume else ():
+            found.append(portion.seeds)
+            keep(portion)
+            yield portion
+        if found:
+            total = sum(map(len, found))
+            log.info("%s: %d of %d trials found in the store", _name(setup), total, len(seeds))
 
     try:
         solver = Solver(setup.grid, setup.settings)
-        for portion in there:
-            run.keep(portion)
-        batch = run_batch(solver, _missing(seeds, there), keep, threads=threads, there=there, tell=tell)
-        if not len(batch.table):
-            raise StrategyError(f"all {len(seeds)} trials failed: {batch.failures[0].reason}")
-        summary = aggregate(batch.table, setup.grid.optimum, setup.settings.scalars.iterations)
-        failed = {failure.seed: str(failure.reason) for failure in batch.failures}
-        run.finish(summary, batch.curve, csv_lines(batch.table), failed)
+        batch = run_batch(solver, _missing(seeds, found), keep, threads=threads, there=there(), tell=tell)
+        if run is not None:
+            _finish(run, setup, batch)
     except BaseException as problem:
-        run.abandon(str(problem) or type(problem).__name__)
+        if run is not None:
+            run.abandon(str(problem) or type(problem).__name__)
         raise
     return batch
 
 
-def _missing(seeds: Seeds, there: list[Trials]) -> Seeds | list[int]:
-    if not there:
-        return seeds
-    missing: list[int] = np.setdiff1d(seeds.array(), np.concatenate([t.seeds for t in there])).tolist()
-    return missing
+def _missing(seeds: Seeds, found: list[NDArray[np.uint64]]) -> Iterator[int]:
+    """Yield the seeds that are not found; nothing is looked at before the first is asked for."""
+    yield from np.setdiff1d(seeds.array(), np.concatenate(found)).tolist() if found else seeds
+
+
+def _finish(run: BatchLog, setup: Setup, batch: Batch) -> None:
+    iterations = setup.settings.scalars.iterations
+    summary = aggregate(batch.table, setup.grid.optimum, iterations) if len(batch.table) else None
+    failed = {failure.seed: str(failure.reason) for failure in batch.failures}
+    run.finish(summary, batch.curve, csv_lines(batch.table), failed)
+
+
+def _name(setup: Setup) -> str:
+    return f"{setup.settings.label} on {setup.grid.name}"

@@ -47,7 +47,8 @@ def merge(source: Store, target: Store, tell: Callable[[int, int], None] = lambd
     """
     runs = source.patiently(lambda: source.search(""), "cannot be searched")
     finished = [run for run in runs if run.info.status == "FINISHED" and IDENTITY in run.data.tags]
-    there = {run.data.tags[IDENTITY] for run in target.search("attributes.status = 'FINISHED'") if run.data.tags}
+    here = target.patiently(lambda: target.search("attributes.status = 'FINISHED'"), "cannot be searched")
+    there = {run.data.tags.get(IDENTITY) for run in here}
     missing = {run.data.tags[IDENTITY]: run for run in finished if run.data.tags[IDENTITY] not in there}
     for done, run in enumerate(missing.values(), 1):
         _copy(source, target, run)
@@ -68,15 +69,19 @@ def _copy(source: Store, target: Store, run: Run) -> None:
                     inside = file.parent.relative_to(artifacts).as_posix()
                     writer.log_file(file, None if inside == "." else inside)
             writer.finish(run.info.end_time)
-        except BaseException:
-            writer.give_up()
+        except BaseException as problem:
+            writer.give_up(str(problem) or type(problem).__name__)
             raise
 
 
 def _metrics(source: Store, run: Run) -> list[Metric]:
     """Return all points of all of a run's metrics."""
-    client, run_id = source.client, run.info.run_id
-    return [point for key in run.data.metrics for point in client.get_metric_history(run_id, key)]
+
+    def history() -> list[Metric]:
+        client, run_id = source.client, run.info.run_id
+        return [point for key in run.data.metrics for point in client.get_metric_history(run_id, key)]
+
+    return source.patiently(history, "cannot be read")
 
 
 def _artifacts(source: Store, run: Run, folder: Path) -> Path | None:
@@ -87,7 +92,10 @@ def _artifacts(source: Store, run: Run, folder: Path) -> Path | None:
     """
     address = urlsplit(run.info.artifact_uri)
     if address.scheme not in ("", "file"):
-        return Path(source.client.download_artifacts(run.info.run_id, "", str(folder)))
+        run_id = run.info.run_id
+        return Path(
+            source.patiently(lambda: source.client.download_artifacts(run_id, "", str(folder)), "cannot be read")
+        )
     named = Path(url2pathname(address.path))
     beside = source.folder / "artifacts" / Path(*named.parts[-2:]) if source.folder is not None else named
     for place in (named, beside):

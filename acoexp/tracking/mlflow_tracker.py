@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from acoexp.result import Result
 from acoexp.seeds import Seeds, parse_seeds
 from acoexp.tracking.owner import is_dead
-from acoexp.tracking.run import ALIVE, CELL, IDENTITY, KIND, OWNER, RunWriter, mark_ended, tags_of
+from acoexp.tracking.run import ALIVE, CELL, IDENTITY, KIND, OWNER, RunWriter, mark_failed, settle, tags_of
 from acoexp.tracking.setup import Setup, Trial
 from acoexp.tracking.store import EXPERIMENT, Store
 from acoexp.tracking.tracker import BatchLog, Found
@@ -54,25 +54,32 @@ class MlflowTracker:
         """Return the finished runs of a cell, each under its identity."""
         condition = f"tags.{CELL} = '{cell}' and attributes.status = 'FINISHED'"
         runs = self.store.patiently(lambda: self.store.search(condition), "cannot be searched")
-        return {run.data.tags[IDENTITY]: _found(run) for run in runs if IDENTITY in run.data.tags}
+        same: dict[str, list[Run]] = {}
+        for run in runs:
+            same.setdefault(run.data.tags.get(IDENTITY, run.info.run_id), []).append(run)
+        # a process that was killed right after it finished a run may have left two
+        return {
+            identity: _found(runs[0] if len(runs) == 1 else settle(self.store, runs))
+            for identity, runs in same.items()
+        }
 
     def has(self, identity: str) -> bool:
         """Tell whether there is a finished run of an identity."""
         condition = f"tags.{IDENTITY} = '{identity}' and attributes.status = 'FINISHED'"
         return bool(self.store.patiently(lambda: self.store.search(condition), "cannot be searched"))
 
-    def find_trials(self, cell: str, seeds: Seeds) -> list[Trials]:
-        """Return trials of a cell that were kept in batches, finished or not, each at most once."""
+    def find_trials(self, cell: str, seeds: Seeds) -> Iterator[Trials]:
+        """Yield trials of a cell that were kept in batches, finished or not, each at most once."""
         runs = self.store.patiently(lambda: self.store.search(f"tags.{CELL} = '{cell}'"), "cannot be searched")
-        wanted, found = seeds.array(), []
-        for run in runs:
-            if run.data.tags.get(KIND) == "batch" and _may_hold(run, wanted):
-                for portion in self._portions(run.info.run_id):
-                    new = portion.among(wanted)
-                    if len(new):
-                        found.append(new)
-                        wanted = np.setdiff1d(wanted, new.seeds)
-        return found
+        wanted = seeds.array()
+        batches = (run for run in runs if run.data.tags.get(KIND) == "batch" and _may_hold(run, wanted))
+        for portion in (portion for run in batches for portion in self._portions(run.info.run_id)):
+            new = portion.among(wanted)
+            if len(new):
+                yield new
+                wanted = np.setdiff1d(wanted, new.seeds)
+            if not wanted.size:
+                return
 
     def log(self, trial: Trial, *, anew: bool = False) -> None:
         """Keep one trial as one run, unless it is there.
@@ -90,15 +97,15 @@ class MlflowTracker:
         try:
             writer.begin(list(_metrics(trial.result)))
             writer.finish()
-        except BaseException:
-            writer.give_up()
+        except BaseException as problem:
+            writer.give_up(str(problem) or type(problem).__name__)
             raise
 
     def log_failure(self, setup: Setup, seed: int, reason: str) -> None:
         """Keep that a trial failed, and why."""
         writer = self._writer(setup, "seed", seed, anew=False)
         writer.begin()
-        writer.end("FAILED", reason)
+        writer.fail(reason)
 
     def begin(self, setup: Setup, seeds: Seeds, *, anew: bool = False) -> BatchLog:
         """Begin to keep a batch as one run."""
@@ -114,10 +121,15 @@ class MlflowTracker:
     def _portions(self, run_id: str) -> Iterator[Trials]:
         client = self.store.client
         with tempfile.TemporaryDirectory() as folder:
-            for artifact in client.list_artifacts(run_id, ARCHIVES):
-                file = Path(client.download_artifacts(run_id, artifact.path, folder))
+            for artifact in self.store.patiently(
+                lambda: client.list_artifacts(run_id, ARCHIVES), "cannot be read"
+            ):
+
+                def fetch(name: str = artifact.path) -> bytes:
+                    return Path(client.download_artifacts(run_id, name, folder)).read_bytes()
+
                 try:
-                    yield Trials.from_bytes(file.read_bytes())
+                    yield Trials.from_bytes(self.store.patiently(fetch, "cannot be read"))
                 except ValueError:
                     log.warning("run %s: %s is damaged and is left out", run_id, artifact.path)
 
@@ -129,8 +141,9 @@ class MlflowTracker:
                 continue
             dead = is_dead(tags[OWNER])
             silent = time.time() - float(tags.get(ALIVE, run.info.start_time)) / 1000.0 > SILENT_FOR
-            if dead or (dead is None and silent):
-                mark_ended(self.store, run.info.run_id, "FAILED", "left behind by a process that was killed")
+            ended = dead or (dead is None and silent)
+            if ended and self.store.client.get_run(run.info.run_id).info.status == "RUNNING":
+                mark_failed(self.store, run.info.run_id, "left behind by a process that was killed")
 
 
 class _BatchRun:
@@ -149,23 +162,33 @@ class _BatchRun:
         self._writer.show_life()
 
     def finish(
-        self, summary: Aggregates, curve: NDArray[np.float64], table: Iterable[str], failed: Mapping[int, str]
+        self,
+        summary: Aggregates | None,
+        curve: NDArray[np.float64],
+        table: Iterable[str],
+        failed: Mapping[int, str],
     ) -> None:
         """Keep the aggregates and the table, and end the run."""
+        if summary is not None:
+            self._keep_table(summary, curve, table, failed)
+        if not failed:
+            return self._writer.finish()
+        self._writer.log_text("".join(f"{seed}: {why}\n" for seed, why in failed.items()), "failed.txt")
+        return self._writer.fail(f"{len(failed)} trials failed: {next(iter(failed.values()))}")
+
+    def _keep_table(
+        self, summary: Aggregates, curve: NDArray[np.float64], table: Iterable[str], failed: Mapping[int, str]
+    ) -> None:
         self._writer.log_metrics(list(_batch_metrics(summary, curve, len(failed), self._optimum)))
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "trials.csv"
             with file.open("w", encoding="utf-8") as lines:
                 lines.writelines(f"{line}\n" for line in table)
             self._writer.log_file(file, None)
-        if not failed:
-            return self._writer.finish()
-        self._writer.log_text("".join(f"{seed}: {why}\n" for seed, why in failed.items()), "failed.txt")
-        return self._writer.end("FAILED", f"{len(failed)} trials failed: {next(iter(failed.values()))}")
 
     def abandon(self, reason: str) -> None:
         """End the run as failed; what was kept stays."""
-        self._writer.end("FAILED", reason)
+        self._writer.give_up(reason)
 
 
 def _may_hold(run: Run, wanted: NDArray[np.uint64]) -> bool:

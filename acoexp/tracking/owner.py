@@ -9,6 +9,9 @@ from pathlib import Path
 
 import psutil
 
+_CLOCK_SET = 5.0
+"""Seconds by which a clock that is set may move the start of a process."""
+
 
 def this_process() -> str:
     """Return a mark for this process that no other bears, also after a restart of the machine."""
@@ -22,7 +25,9 @@ def is_dead(mark: str) -> bool | None:
         return None
     try:
         process = psutil.Process(int(pid))
-        return f"{process.create_time():.2f}" != began or process.status() == psutil.STATUS_ZOMBIE
+        # the system's clock may have been set since, which moves the start of every process
+        another = abs(process.create_time() - float(began)) > _CLOCK_SET
+        return another or process.status() == psutil.STATUS_ZOMBIE
     except psutil.NoSuchProcess:
         return True
 

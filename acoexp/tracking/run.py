@@ -18,7 +18,7 @@ from acoexp.tracking.setup import Setup
 from acoexp.tracking.store import Store
 
 if TYPE_CHECKING:
-    from mlflow.entities import Metric
+    from mlflow.entities import Metric, Run
 
 LONGEST_PARAM = 500
 """Characters of a parameter that every MLflow store keeps; a longer one goes to an artifact."""
@@ -29,6 +29,8 @@ IDENTITY, CELL, KIND = "identity", "cell", "kind"
 """Tags: what the run is of; which configuration on which map; ``trial`` or ``batch``."""
 OWNER, WRITER, ALIVE = "owner", "writer", "alive"
 """Tags: which process writes the run, by which of its writers, and when it last did, in milliseconds."""
+ANEW = "anew"
+"""Tag of a run that takes the place of what is there: when it began, in milliseconds."""
 REASON = "reason"
 """Tag: why the run has failed."""
 
@@ -56,10 +58,13 @@ class RunWriter:
             anew: Whether it takes the place of a finished run of its identity.
             started: When it began, in milliseconds since 1970; now, if that is not said.
         """
-        self._store, self._anew = store, anew
+        self._store = store
         self._name, self._params, self._tags = name, params, tags
         self._started = int(_now()) if started is None else started
+        if anew:
+            self._tags = {**tags, ANEW: _now()}
         self._token = token_hex(8)
+        self._finished = False
         self._run_id: str | None = None
 
     def begin(self, metrics: Sequence[Metric] = ()) -> None:
@@ -95,17 +100,18 @@ class RunWriter:
     def finish(self, ended: int | None = None) -> None:
         """Say that the run is finished, and see to it that it is the only one of its identity."""
         self.do(lambda run_id: self._store.client.set_terminated(run_id, "FINISHED", ended))
+        self._finished = True
         self.do(self._settle)
 
-    def end(self, status: str, reason: str) -> None:
-        """Say that the run will not be finished, and why."""
-        self.do(lambda run_id: mark_ended(self._store, run_id, status, reason))
+    def fail(self, reason: str) -> None:
+        """Say that the run has failed, and why."""
+        self.do(lambda run_id: mark_failed(self._store, run_id, reason))
 
-    def give_up(self) -> None:
-        """Mark the run as failed if the store still takes that; for when there is no time to be patient."""
-        if self._run_id is not None:
+    def give_up(self, reason: str) -> None:
+        """Mark the run as failed if the store takes that at once, unless it is finished; for hasty ends."""
+        if self._run_id is not None and not self._finished:
             with suppress(Exception):
-                self._store.client.set_terminated(self._run_id, "FAILED")
+                mark_failed(self._store, self._run_id, reason)
 
     def do(self, action: Callable[[str], object]) -> None:
         """Do something with the run, given its id, again and again while the store is away."""
@@ -120,24 +126,33 @@ class RunWriter:
         self._store.patiently(with_run, "does not take a trial")
 
     def _settle(self, run_id: str) -> None:
-        """Of several finished runs of this identity, leave one.
-
-        Whoever finishes last sees all of them, and all who look agree on the one that stays.
-        """
+        """See to it that this is the only finished run of its identity, and the only one of this writer."""
         same = self._store.search(f"tags.{IDENTITY} = '{self._tags[IDENTITY]}'")
-        finished = sorted((r.info.start_time, r.info.run_id) for r in same if r.info.status == "FINISHED")
-        stays = run_id if self._anew else finished[0][1]
+        settle(self._store, [run for run in same if run.info.status == "FINISHED"])
         for run in same:
-            superfluous = run.info.status == "FINISHED" and run.info.run_id != stays
-            lost_on_the_way = run.info.status == "RUNNING" and run.data.tags.get(WRITER) == self._token
-            if superfluous or lost_on_the_way:
+            mine = run.data.tags.get(WRITER) == self._token
+            if mine and run.info.status == "RUNNING":  # made by a call whose answer was lost
                 _delete(self._store, run.info.run_id)
+            if run.info.run_id == run_id and REASON in run.data.tags:  # it had been taken for left behind
+                self._store.client.delete_tag(run_id, REASON)
 
 
-def mark_ended(store: Store, run_id: str, status: str, reason: str) -> None:
-    """End a run that has not been finished, and say why."""
+def settle(store: Store, finished: Sequence[Run]) -> Run:
+    """Of the finished runs of one identity leave one, and return it: the newest made anew, else the oldest.
+
+    All who look agree on the one that stays, and whoever finishes last sees all of them.
+    """
+    stays = max(finished, key=lambda r: (r.data.tags.get(ANEW, ""), -r.info.start_time, r.info.run_id))
+    for run in finished:
+        if run is not stays:
+            _delete(store, run.info.run_id)
+    return stays
+
+
+def mark_failed(store: Store, run_id: str, reason: str) -> None:
+    """Mark a run as failed that has not been finished, and say why."""
     store.client.set_tag(run_id, REASON, reason)
-    store.client.set_terminated(run_id, status)
+    store.client.set_terminated(run_id, "FAILED")
 
 
 def _delete(store: Store, run_id: str) -> None:

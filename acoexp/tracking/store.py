@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from filelock import FileLock
 
-from acoexp.errors import TrackingError
+from acoexp.errors import StoreGoneError, TrackingError
 
 if TYPE_CHECKING:
     from mlflow import MlflowClient
@@ -82,7 +82,8 @@ class Store:
             what: What is said of the store if it fails, such as ``does not take a trial``.
 
         Raises:
-            TrackingError: if it fails for good, or the store stays away.
+            TrackingError: if it fails for good.
+            StoreGoneError: if the store stays away.
         """
         began, pause, told = time.monotonic(), 0.1, False
         with self._reporting(what), _few_retries():
@@ -95,7 +96,9 @@ class Store:
                         raise
                     if waited + pause > PATIENCE:
                         _gave_up.add(self.uri)
-                        raise
+                        raise StoreGoneError(
+                            f"tracking.uri: {self.shown} {what} for {PATIENCE:.0f} s: {_reason(problem)}"
+                        ) from problem
                     if not told:
                         told = True
                         log.warning("%s %s; trying again for %.0f s", self.shown, what, PATIENCE)
@@ -118,6 +121,7 @@ class Store:
     @cached_property
     def client(self) -> MlflowClient:
         """MLflow's client for this store."""
+        os.environ.setdefault("MLFLOW_ENABLE_ARTIFACTS_PROGRESS_BAR", "false")
         logging.getLogger("alembic").setLevel(logging.WARNING)
         from mlflow import MlflowClient
 
@@ -166,22 +170,28 @@ class Store:
         except TrackingError:
             raise
         except Exception as problem:
-            reason = next(iter(str(problem).strip().splitlines()), type(problem).__name__)
             raise TrackingError(
-                f"tracking.uri: expected an MLflow store that can be written; {self.shown} {what}: {reason}"
+                f"tracking.uri: expected an MLflow store that can be written; {self.shown} {what}: "
+                f"{_reason(problem)}"
             ) from problem
+
+
+def _reason(problem: Exception) -> str:
+    return next(iter(str(problem).strip().splitlines()), type(problem).__name__)
 
 
 def _may_pass(problem: Exception) -> bool:
     """Tell whether a failure is of the kind that ends by itself: no connection, a locked database, a restart."""
     from mlflow.exceptions import MlflowException
     from requests.exceptions import RequestException
-    from sqlalchemy.exc import DBAPIError
+    from sqlalchemy.exc import InterfaceError, OperationalError
 
     if isinstance(problem, MlflowException):
         passing = ("TEMPORARILY_UNAVAILABLE", "INTERNAL_ERROR", "REQUEST_LIMIT_EXCEEDED", "BAD_REQUEST")
         return problem.error_code in passing
-    return isinstance(problem, RequestException | DBAPIError | ConnectionError | TimeoutError)
+    return isinstance(
+        problem, RequestException | OperationalError | InterfaceError | ConnectionError | TimeoutError
+    )
 
 
 def _check_writable(file: Path) -> None:
@@ -204,4 +214,4 @@ def _few_retries() -> Iterator[None]:
     try:
         yield
     finally:
-        del os.environ[key]
+        os.environ.pop(key, None)

@@ -35,18 +35,20 @@ class BatchLog(Protocol):
     def keep(self, portion: Trials) -> None:
         """Keep a portion of finished trials, for good."""
 
-    def finish(self, summary: Aggregates, curve: Any, table: Iterable[str], failed: Mapping[int, str]) -> None:
+    def finish(
+        self, summary: Aggregates | None, curve: Any, table: Iterable[str], failed: Mapping[int, str]
+    ) -> None:
         """Keep the aggregates and the table, and say that the batch has ended.
 
         Args:
-            summary: The aggregates of all finished trials.
+            summary: The aggregates of all finished trials; None if there is none.
             curve: Mean of the best length found in each cycle, float[iterations].
             table: The lines of the table of trials.
             failed: Why trials failed, by their seed; a batch with any has failed.
         """
 
     def abandon(self, reason: str) -> None:
-        """Say that the batch will not be finished; what was kept stays."""
+        """Say at once, if it can be said, that the batch will not be finished; what was kept stays."""
 
 
 class Tracker(Protocol):
@@ -68,8 +70,8 @@ class Tracker(Protocol):
     def has(self, identity: str) -> bool:
         """Tell whether there is a finished run of an identity."""
 
-    def find_trials(self, cell: str, seeds: Seeds) -> list[Trials]:
-        """Return trials of a cell that were kept in batches, finished or not, each at most once."""
+    def find_trials(self, cell: str, seeds: Seeds) -> Iterable[Trials]:
+        """Yield trials of a cell that were kept in batches, finished or not, each at most once."""
 
     def log(self, trial: Trial, *, anew: bool = False) -> None:
         """Keep one trial, whole or not at all.
@@ -105,9 +107,9 @@ class NoTracker:
         """Say no."""
         return False
 
-    def find_trials(self, cell: str, seeds: Seeds) -> list[Trials]:
+    def find_trials(self, cell: str, seeds: Seeds) -> Iterable[Trials]:
         """Find nothing."""
-        return []
+        return ()
 
     def log(self, trial: Trial, *, anew: bool = False) -> None:
         """Do nothing."""
@@ -124,7 +126,9 @@ class _NoLog:
     def keep(self, portion: Trials) -> None:
         pass
 
-    def finish(self, summary: Aggregates, curve: Any, table: Iterable[str], failed: Mapping[int, str]) -> None:
+    def finish(
+        self, summary: Aggregates | None, curve: Any, table: Iterable[str], failed: Mapping[int, str]
+    ) -> None:
         pass
 
     def abandon(self, reason: str) -> None:

@@ -63,8 +63,9 @@ def test_again_all_is_found_and_the_table_is_the_same(home: Path) -> None:
 def test_a_single_batch_needs_no_m(home: Path) -> None:
     ended = run_acoexp("algo=aco", "seeds=5-24", "threads=1", *SMALL, cwd=home)
     assert ended.returncode == 0, ended.stderr
-    assert "acoexp: 6 of 20 trials found in the store" in ended.stderr
-    assert "20 of 20 trials finished" in ended.stdout
+    assert "acoexp: aco on fig13: 6 of 20 trials found in the store" in ended.stderr
+    assert "14 of 20 trials finished" in ended.stdout
+    assert ", 6 found in the store" in ended.stdout
 
 
 def test_a_sweep_of_trials_takes_what_is_there(home: Path) -> None:

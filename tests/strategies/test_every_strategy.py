@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numba
 import pytest
 from reference import length_of, pair_of
 from samples import as_cells, everything, is_way, optimum_of, random_grid
@@ -32,7 +33,11 @@ def test_swapped_into_pdg_it_finds_ways_and_the_same_ones_however_it_is_run(grou
         assert list(map(everything, batch)) == list(map(everything, single))
 
 
-@pytest.mark.parametrize(("algo", "choice"), [("acs", "acs"), ("mmas", "turning")])
+VARIANTS = [("mmas", "turning"), *([("acs", "acs")] if numba.config.DISABLE_JIT else [])]
+"""Without the JIT both: each takes half a minute to be compiled."""
+
+
+@pytest.mark.parametrize(("algo", "choice"), VARIANTS)
 def test_published_variants_walk_in_lock_step_with_pheromone_on_cells(algo: str, choice: str) -> None:
     """No part knows of cells or of lock step; these change pheromone in all ways there are, and look at tabu."""
     grid, seeds = random_grid(5, 12, 15, "no_cut"), range(4)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +15,7 @@ from mlflow.entities import Run
 from running import environment
 
 from acoexp import Grid, solve_many
-from acoexp.errors import StrategyError
+from acoexp.errors import StoreGoneError, StrategyError
 from acoexp.result import Result
 from acoexp.seeds import Seeds, parse_seeds
 from acoexp.settings import resolve
@@ -21,10 +23,12 @@ from acoexp.solver import Solver
 from acoexp.tracking import Setup, Trial
 from acoexp.tracking.kept_batch import keep_batch
 from acoexp.tracking.mlflow_tracker import MlflowTracker
+from acoexp.tracking.run import RunWriter
 from acoexp.trials import Trials, aggregate, csv_lines
 
 YARD = Grid([[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], name="yard")
 SEEDS = parse_seeds("0-9")
+SETTLE = RunWriter._settle
 
 
 def setup(**settings: Any) -> Setup:
@@ -111,6 +115,7 @@ from acoexp.settings import resolve
 from acoexp.solver import Solver
 from acoexp.tracking import Setup
 from acoexp.tracking.mlflow_tracker import MlflowTracker
+from acoexp.tracking.run import RunWriter
 from acoexp.trials import Trials
 grid = Grid({YARD.obstacles.astype(int).tolist()}, name="yard")
 what = Setup.of(resolve("aco", {{"iterations": 4, "ants": 2, "rho": 0.15}}), grid)
@@ -168,20 +173,62 @@ def test_a_portion_that_was_cut_off_is_left_out(store: MlflowTracker, tmp_path: 
 
 
 @pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+@pytest.mark.parametrize("anew", [(False, False), (True, False), (False, True), (True, True)])
 def test_of_two_that_ran_the_same_at_once_one_finished_run_stays(
-    store: MlflowTracker, order: tuple[int, int]
+    store: MlflowTracker, order: tuple[int, int], anew: tuple[bool, bool], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    what = setup(rho=0.19 + order[0] / 1000.0)
-    results_of = Trials.of(results(what))
-    others = [MlflowTracker(store.store.uri) for _ in order]
-    logs = [tracker.begin(what, SEEDS) for tracker in others]
-    for number in order:
-        logs[number].keep(results_of)
-    for number in order:
-        summary = aggregate(results_of.table, YARD.optimum, 4)
-        logs[number].finish(summary, results_of.curves.mean(axis=0), csv_lines(results_of.table), {})
+    what = setup(rho=0.19, q=1.0 + order[0] + 2 * anew[0] + 4 * anew[1])
+    trials = Trials.of(results(what))
+    summary = aggregate(trials.table, YARD.optimum, 4)
+    logs = [MlflowTracker(store.store.uri).begin(what, SEEDS, anew=new) for new in anew]
+    settling: list[Callable[[], None]] = []
+    with monkeypatch.context() as late:  # both are finished before either looks for the other
+        late.setattr(RunWriter, "_settle", lambda self, run_id: settling.append(partial(SETTLE, self, run_id)))
+        for number in order:
+            logs[number].keep(trials)
+            logs[number].finish(summary, trials.curves.mean(axis=0), csv_lines(trials.table), {})
+    assert [run.info.status for run in runs_of(store, what)] == ["FINISHED"] * 2
+    for settle in settling:
+        settle()
     assert [run.info.status for run in runs_of(store, what)] == ["FINISHED"]
-    assert kept(store, what).table.tobytes() == results_of.table.tobytes()
+    assert kept(store, what).table.tobytes() == trials.table.tobytes()
+
+
+def test_two_finished_runs_of_one_identity_become_one_when_they_are_found(
+    store: MlflowTracker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    what = setup(rho=0.25)
+    with monkeypatch.context() as killed:  # right after it was finished
+        killed.setattr(RunWriter, "_settle", lambda self, run_id: None)
+        for _ in range(2):
+            keep_batch(what, SEEDS, store, resume=False)
+    assert len(runs_of(store, what)) == 2
+    assert store.find(what.cell).keys() == {what.identity(SEEDS)}
+    assert len(runs_of(store, what)) == 1
+
+
+def test_a_trial_and_a_batch_of_one_seed_are_two_things(store: MlflowTracker) -> None:
+    what = setup(rho=0.26)
+    store.log(Trial(what, results(what)[5]))
+    assert keep_batch(what, parse_seeds("5"), store).ran == 1
+    assert len(store.find(what.cell)) == 2
+
+
+def test_a_store_that_stays_away_ends_it_in_one_error(
+    store: MlflowTracker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("acoexp.tracking.store.PATIENCE", 0.5)
+    monkeypatch.setattr("acoexp.tracking.store._gave_up", set())
+
+    def away(*_: Any, **__: Any) -> None:
+        raise ConnectionError("no route")
+
+    monkeypatch.setattr(store.store.client, "list_artifacts", away)
+    what = setup(rho=0.27)
+    store.begin(what, SEEDS)
+    with pytest.raises(StoreGoneError, match="cannot be read for 0 s: no route"):
+        keep_batch(what, SEEDS, store)
+    assert {run.info.status for run in runs_of(store, what)} == {"RUNNING", "FAILED"}
 
 
 def test_the_same_trial_is_kept_once(store: MlflowTracker) -> None:

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from acoexp import Grid, solve
+from acoexp.seeds import parse_seeds
 from acoexp.settings import resolve
 from acoexp.tracking import Setup, Trial
 from acoexp.tracking.setup import flatten
@@ -86,5 +87,5 @@ def test_whatever_a_result_depends_on_makes_another_cell(other: dict[str, Any]) 
 
 
 def test_seeds_tell_trials_and_batches_apart() -> None:
-    identities = {setup().identity(seeds) for seeds in (0, 1, "0-1", "0-9")}
-    assert len(identities) == 4
+    one, some = parse_seeds("1"), parse_seeds("0-1")
+    assert len({setup().identity(seeds) for seeds in (0, 1, one, some)}) == 4

@@ -18,7 +18,11 @@ def test_no_tracking_touches_nothing_and_finds_nothing(tmp_path: Path, monkeypat
     tracker = open_tracker({"name": "none"})
     assert isinstance(tracker, NoTracker)
     tracker.prepare()
-    assert (tracker.find("c"), tracker.has("i"), tracker.find_trials("c", parse_seeds("0-9"))) == ({}, False, [])
+    assert (tracker.find("c"), tracker.has("i"), [*tracker.find_trials("c", parse_seeds("0-9"))]) == (
+        {},
+        False,
+        [],
+    )
     assert list(tmp_path.iterdir()) == []
 
 
