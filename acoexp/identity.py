@@ -21,7 +21,10 @@ from acoexp.seeds import Seeds
 from acoexp.settings import Settings
 
 _OWN_PACKAGE = __name__.partition(".")[0]
-_TAKES_PART = ("colony", "grid", "strategies", "features.py", "field.py", "result.py", "solver.py")
+_TAKES_PART = (
+    *("colony", "grid", "strategies"),
+    *("features.py", "field.py", "preparation.py", "result.py", "solver.py", "workspace.py"),
+)
 
 
 def cell_identity(settings: Settings, grid: Grid) -> str:

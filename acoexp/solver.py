@@ -16,16 +16,15 @@ from acoexp import blame
 from acoexp.colony.cache import compile_once
 from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, Own, Record, make_loop
 from acoexp.colony.problem import Problem
-from acoexp.colony.state import Colony, Trails, new_colony, new_trails
-from acoexp.colony.walk import ORDERS, Crowd, new_crowd
+from acoexp.colony.state import Trails
+from acoexp.colony.walk import ORDERS
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
 from acoexp.grid import Grid
+from acoexp.preparation import prepare
 from acoexp.result import Result
 from acoexp.seeds import check_seed
 from acoexp.settings import Settings
-
-DESIRABILITY_LIMIT = 1e200
-"""eta^beta is cut off here: with pheromone's own bound, no sum of weights overflows."""
+from acoexp.workspace import Workspace, new_record, new_workspace
 
 _loop = lru_cache(maxsize=None)(make_loop)
 
@@ -35,24 +34,6 @@ class Failure(NamedTuple):
 
     seed: int
     reason: StrategyError
-
-
-class Workspace(NamedTuple):
-    """The memory of one worker, used for one trial after the other.
-
-    Attributes:
-        crowd: The ants, where they walk together.
-        to_restore: Arrays of ``own`` that kernels may write to, each with what it is before a trial.
-    """
-
-    colony: Colony
-    crowd: Crowd | None
-    own: Own
-    to_restore: list[tuple[NDArray[Any], NDArray[Any]]]
-    raw: Trails
-    final: Trails
-    best: Trails
-    cells: NDArray[np.int32]
 
 
 class Solver:
@@ -65,9 +46,7 @@ class Solver:
         parts = settings.parts
         problem = Problem(grid, settings.scalars, settings.field)
         self._problem = problem
-        self._desirability = self._weigh_moves()
-        self._initial = self._initial_pheromone()
-        self._own = Own(*(self._prepare(group) for group in Own._fields))
+        self._prepared = prepare(problem, settings)
         self._has_post = parts["post"].kernel is not None
         kernels = {group: parts[group].kernel for group in Own._fields}
         self._loop = _loop(self._order, *kernels.values())
@@ -173,7 +152,7 @@ class Solver:
             return Failure(seed, problem.with_traceback(None))  # its frames would keep the trial's memory
 
     def _trial(self, workspace: Workspace, seed: int) -> Result:
-        record = _new_record(self.settings.scalars.iterations)
+        record = new_record(self.settings.scalars.iterations)
         for array, pristine in workspace.to_restore:
             np.copyto(array, pristine)
         try:
@@ -215,17 +194,18 @@ class Solver:
             )
 
     def _run(self, workspace: Workspace, record: Record, seed: np.uint64) -> int:
-        w = workspace
-        arguments = (w.colony, w.crowd, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, seed)
+        arguments = self._arguments(workspace, record, seed)
         if hasattr(self._loop, "signatures"):
             return int(self._loop(*arguments))
         with np.errstate(over="ignore"):  # without the JIT; uint64 wraps around on purpose
             return int(self._loop(*arguments))
 
+    def _arguments(self, w: Workspace, record: Record, seed: np.uint64) -> tuple[Any, ...]:
+        return w.colony, w.crowd, w.own, self._prepared.initial, w.raw, w.final, w.best, w.cells, record, seed
+
     def _compile(self, kernels: dict[str, Any]) -> None:
-        w = self._new_workspace(np.zeros(1, dtype=np.uint8))
-        record = _new_record(1)
-        example = (w.colony, w.crowd, w.own, self._initial, w.raw, w.final, w.best, w.cells, record, np.uint64(0))
+        workspace = self._new_workspace(np.zeros(1, dtype=np.uint8))
+        example = self._arguments(workspace, new_record(1), np.uint64(0))
         try:
             compile_once(self._loop, (self._order, *kernels.values()), example)
         except AcoexpError:
@@ -234,89 +214,11 @@ class Solver:
             raise blame.not_compiled(self.settings, problem) from problem
 
     def _new_workspace(self, stop: NDArray[np.uint8]) -> Workspace:
-        ants, cells = self.settings.scalars.ants, self._desirability.size // 8
-        try:
-            raw = new_trails(ants, cells)
-            own = Own(*(_copied(state) for state in self._own))
-            return Workspace(
-                colony=new_colony(self._problem, self._desirability, stop),
-                crowd=new_crowd(ants, cells) if self._order is ORDERS["lock_step"] else None,
-                own=own,
-                to_restore=list(zip(_writable(own), _writable(self._own), strict=True)),
-                raw=raw,
-                final=new_trails(ants, cells) if self._has_post else raw,
-                best=new_trails(2, cells),
-                cells=np.empty(cells if self._has_post else 1, dtype=np.int32),
-            )
-        except MemoryError as problem:
-            raise SettingsError(
-                f"ants: expected a number for which the memory suffices; got {ants} on a map of {cells} cells"
-            ) from problem
-
-    def _prepare(self, group: str) -> Any:
-        state = self._ask(group, "prepare")
-        blame.check_state(self.settings, group, state)
-        return state
-
-    def _ask(self, group: str, method: str) -> Any:
-        """Call a part's method with the problem; what goes wrong there is told with the part's name."""
-        try:
-            return getattr(self.settings.parts[group], method)(self._problem)
-        except AcoexpError:
-            raise
-        except Exception as problem:
-            raise blame.failed(self.settings, group, method, problem) from problem
-
-    def _weigh_moves(self) -> NDArray[np.float64]:
-        """Return eta^beta, float64[edges], 0 where a move is not allowed."""
-        allowed = self._problem.allowed_edges()
-        eta = self._per_move("heuristic", "eta", allowed)
-        with np.errstate(over="ignore"):
-            power = np.power(eta, self.settings.scalars.beta, where=allowed, out=np.zeros(eta.shape))
-        return self._problem.per_edge(np.minimum(power, DESIRABILITY_LIMIT), border=0.0)
-
-    def _initial_pheromone(self) -> NDArray[np.float64]:
-        """Return the initial pheromone, float64[1] or float64[edges]."""
-        initial = self._per_move("update", "initial", self._problem.allowed_edges())
-        if initial.strides == (0, 0, 0):  # one level, broadcast
-            return initial[0, 0, :1].copy()
-        if self.settings.scalars.pheromone == "cells":
-            initial = self._problem.shared_by_target(initial)
-        return self._problem.per_edge(initial, border=0.0)
-
-    def _per_move(self, group: str, method: str, allowed: NDArray[np.bool_]) -> NDArray[np.float64]:
-        """Ask a part for a number per move, float64[rows, cols, 8], and check it."""
-        given = self._ask(group, method)
-        problem = f"{blame.told(self.settings, group)}: expected {method} to return numbers"
-        try:
-            values = np.broadcast_to(np.asarray(given, dtype=np.float64), allowed.shape)
-        except (TypeError, ValueError) as reason:
-            came = f"{type(given).__name__} of shape {np.shape(given)}"
-            raise StrategyError(f"{problem} of a shape that broadcasts to {allowed.shape}; got {came}") from reason
-        if not (np.isfinite(values[allowed]).all() and (values[allowed] >= 0.0).all()):
-            raise StrategyError(f"{problem} that are finite, and at least 0, on every move; got others")
-        return values
-
-
-def _new_record(iterations: int) -> Record:
-    pairs, lost = np.empty((iterations, 2), dtype=np.int32), np.empty(iterations, dtype=np.int32)
-    return Record(pairs, lost, np.zeros(1, dtype=np.int64))
+        return new_workspace(self._problem, self._prepared, self._order, self._has_post, stop)
 
 
 def _moves(trails: Trails, row: int) -> NDArray[np.uint8]:
     return trails.moves[row, : trails.steps[row]].copy()
-
-
-def _copied(state: Any) -> Any:
-    """Return a part's own state with copies of the arrays that it may write to."""
-    values = (v.copy() if isinstance(v, np.ndarray) and v.flags.writeable else v for v in state)
-    return type(state)(*values) if hasattr(state, "_fields") else tuple(values)
-
-
-def _writable(own: Own) -> list[NDArray[Any]]:
-    """Return the arrays of the parts' own states that kernels may write to."""
-    values = (value for state in own for value in state)
-    return [value for value in values if isinstance(value, np.ndarray) and value.flags.writeable]
 
 
 def check_threads(threads: int | None) -> int:

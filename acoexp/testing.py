@@ -204,7 +204,7 @@ def laid_astray(solver: Solver, seed: int) -> list[str]:
     solver._trial(workspace, seed)
     colony, problem = workspace.colony, solver._problem
     closed = np.flatnonzero(~problem.per_edge(problem.allowed_edges(), border=False))
-    began = np.broadcast_to(solver._initial, colony.stored.shape)[closed]
+    began = np.broadcast_to(solver._prepared.initial, colony.stored.shape)[closed]
     astray: list[str] = []
     for level in np.unique(began):
         edges = closed[began == level]
