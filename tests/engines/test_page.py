@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
@@ -12,7 +13,9 @@ from pathlib import Path
 import pytest
 import servers
 from mlflow import MlflowClient
-from running import environment
+from running import environment, trials
+
+import acoexp
 
 pytestmark = [pytest.mark.slow_without_jit, pytest.mark.usefixtures("joblib")]
 
@@ -44,10 +47,22 @@ def run(command: str, home: Path, env: Mapping[str, str]) -> str:
 
 
 @pytest.mark.parametrize("engine", ["slurm", "ray", "joblib"])
-def test_a_sweep_on_an_engine(engine: str, request: pytest.FixtureRequest, tmp_path: Path) -> None:
+def test_a_sweep_on_an_engine_finds_what_a_trial_in_this_process_finds(
+    engine: str, request: pytest.FixtureRequest, tmp_path: Path
+) -> None:
     command = block(f"engine={engine} ") if engine != "joblib" else block("engine=joblib algo")
     shown = run(command, tmp_path, request.getfixturevalue(engine))
     assert re.search(r"(\d+) of \1 trials finished", shown)
+    client = MlflowClient(f"sqlite:///{tmp_path}/outputs/mlflow.db")
+    runs = client.search_runs([client.get_experiment_by_name("acoexp").experiment_id])
+    stored = {(r.data.params["algo"], int(r.data.params["seed"])): r.data.metrics for r in runs}
+    found = trials(tmp_path)
+    assert len(found) == len(runs) == len(stored) >= 2
+    for trial in found:
+        here = json.loads(json.dumps(acoexp.solve("env2", algo=trial["algo"], seed=trial["seed"]).as_dict()))
+        assert {key: trial[key] for key in here} == here
+        metrics = {name: here[name] for name in ("x1", "x3", "l1", "l2")}
+        assert stored[trial["algo"], trial["seed"]].items() >= metrics.items()
 
 
 def test_a_study(tmp_path: Path) -> None:
