@@ -105,6 +105,11 @@ def test_its_part_and_its_preset_run(installed: Installed, tmp_path: Path) -> No
     }
 
 
+def test_the_papers_report_comes_with_the_wheel(installed: Installed, tmp_path: Path) -> None:
+    installed.acoexp("report=paper", "report.trials=10", "report.ensemble_trials=0", *QUICK, cwd=tmp_path)
+    assert (tmp_path / "outputs/reports/paper/index.html").stat().st_size > 100_000
+
+
 def test_it_is_swept_and_tracked_beside_a_built_in_one(installed: Installed, tmp_path: Path) -> None:
     table = installed.acoexp("algo=shy,pdg", "map=env2", "-m", "seed=0-2", "iterations=5", cwd=tmp_path)
     assert "shy" in table
