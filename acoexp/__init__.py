@@ -7,8 +7,8 @@
 
 from acoexp.api import solve, solve_many
 from acoexp.errors import AcoexpError, MapError, SettingsError, StrategyError, TrackingError
-from acoexp.grid import Grid
-from acoexp.result import Result
+from acoexp.grid.grid import Grid
+from acoexp.trial.result import Result
 
 __all__ = [
     "AcoexpError",

@@ -2,19 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict, Unpack
 
 from numpy.typing import ArrayLike
 
-from acoexp import registry
-from acoexp.errors import SettingsError
-from acoexp.grid import Cell, Grid
-from acoexp.maps.file import MapFile
-from acoexp.result import Result
-from acoexp.settings import resolve
-from acoexp.solver import Solver
+from acoexp.grid.grid import Cell, Grid
+from acoexp.registry.load_map import as_grid
+from acoexp.registry.resolve import resolve
+from acoexp.strategies.part import Choice, Diffusion, Heuristic, Post, Update
+from acoexp.trial.result import Result
+from acoexp.trial.solver import Solver
+
+
+class Options(TypedDict, total=False):
+    """Settings beside the preset's own; ``python -m acoexp --help`` has their meanings and ranges."""
+
+    alpha: float
+    beta: float
+    rho: float
+    ants: int
+    iterations: int
+    q: float
+    tau0: float
+    pheromone: str
+    order: str
+    field: Mapping[str, Any]
+    heuristic: str | Mapping[str, Any] | Heuristic
+    choice: str | Mapping[str, Any] | Choice
+    diffusion: str | Mapping[str, Any] | Diffusion
+    post: str | Mapping[str, Any] | Post
+    update: str | Mapping[str, Any] | Update
 
 
 def solve(
@@ -25,21 +44,21 @@ def solve(
     start: Cell | None = None,
     goal: Cell | None = None,
     moves: str | None = None,
-    **settings: Any,
+    **settings: Unpack[Options],
 ) -> Result:
     """Run one trial.
 
     Args:
         map: A registered map's name, a :class:`~acoexp.grid.Grid`, a 0/1 array [rows, cols], or the ``Path`` of a
             map file.
-        algo: A preset: ``aco``, ``pd``, ``pdg``, ``pf``.
+        algo: A preset: ``aco``, ``pd``, ``pdg``, ``pf``, ``eas``, ``rank``, ``mmas``, ``acs``, or one that an
+            installed package brings.
         seed: Whole number from 0 to 2^64 - 1; the same seed gives the same result.
         start: Where the ants set out, with an array or a file; by default (0, 0).
         goal: Where they want to be, with an array or a file; by default the opposite corner.
         moves: Rule for diagonals, with an array or a file; by default ``no_squeeze``.
-        settings: Scalars (``alpha beta rho ants iterations q tau0``), ``field`` as a mapping, and parts
-            (``heuristic choice diffusion post update``) as a name, a mapping or an object:
-            ``diffusion={"name": "gaussian", "gamma": 0.02}``.
+        settings: The keys of :class:`Options`: scalars, ``field`` as a mapping, and parts as a name, a mapping of
+            parameters or an object: ``diffusion={"name": "gaussian", "gamma": 0.02}``.
 
     Raises:
         SettingsError: for an unknown key or name, or a value out of range.
@@ -58,7 +77,7 @@ def solve_many(
     start: Cell | None = None,
     goal: Cell | None = None,
     moves: str | None = None,
-    **settings: Any,
+    **settings: Unpack[Options],
 ) -> list[Result]:
     """Run one trial for each seed, on all processors; results stand in the order of the seeds.
 
@@ -76,22 +95,3 @@ def solve_many(
         SettingsError, MapError, StrategyError: As :func:`solve`.
     """
     return Solver(as_grid(map, start, goal, moves), resolve(algo, settings)).solve_many(seeds, threads)
-
-
-def as_grid(
-    map: str | Path | Grid | ArrayLike,
-    start: Cell | None = None,
-    goal: Cell | None = None,
-    moves: str | None = None,
-) -> Grid:
-    """Return the grid that a map's name, a grid or an array stands for; see :func:`solve`."""
-    if isinstance(map, str | Grid) and (start is not None or goal is not None or moves is not None):
-        raise SettingsError("start, goal and moves: expected only with a map given as an array; a map has its own")
-    if isinstance(map, Grid):
-        return map
-    if isinstance(map, Path):
-        return MapFile(path=str(map), start=start, goal=goal, moves=moves).load()
-    if isinstance(map, str):
-        grid: Grid = registry.build_part("map", map, {}).load()
-        return grid
-    return Grid(map, start=start, goal=goal, moves="no_squeeze" if moves is None else moves)

@@ -178,6 +178,8 @@ def _converted(value: Any, kind: Any) -> Any:
 
 
 def _shown(bound: float) -> str:
+    if bound == 2**64 - 1:
+        return "2^64 - 1"
     return f"{bound:.0f}" if 1.0 <= bound < 1e7 and bound == int(bound) else f"{bound:g}"
 
 

@@ -1,1 +1,1 @@
-"""The colony: its state, its random numbers, its pheromone, and the loop that runs it."""
+"""The colony: the compiled kernels around one loop, what they carry, and how they are kept."""

@@ -9,36 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.field import FieldSettings, PotentialField, potential_field
-from acoexp.grid import DIRECTIONS, Cell, Grid
-from acoexp.parameters import parameter
-
-
-@dataclass(frozen=True, kw_only=True)
-class ColonySettings:
-    """The scalars of a colony; the defaults are those of Liu et al. 2017, Sect. 5, where it gives them."""
-
-    alpha: float = parameter(1.1, "weight of pheromone in the choice", minimum=0.0, maximum=100.0)
-    beta: float = parameter(12.0, "weight of the heuristic in the choice", minimum=0.0, maximum=100.0)
-    rho: float = parameter(0.5, "share of the pheromone that evaporates in a cycle", minimum=0.0, maximum=1.0)
-    ants: int = parameter(10, "ants that walk in a cycle", minimum=1, maximum=100_000)
-    iterations: int = parameter(200, "cycles in a trial", minimum=1, maximum=1_000_000)
-    q: float = parameter(
-        1.0, "pheromone that an ant spreads over its path; not in the paper", minimum=1e-100, maximum=1e100
-    )
-    tau0: float = parameter(
-        1.0, "pheromone everywhere at the start; not in the paper", minimum=1e-100, maximum=1e100
-    )
-    pheromone: str = parameter(
-        "edges",
-        "where pheromone lies (Eqs 18, 19 or Sect. 3.4, step 3); all edges into a cell share its level",
-        choices=("edges", "cells"),
-    )
-    order: str = parameter(
-        "in_turn",
-        "how the ants of a cycle walk: one after another, or one step each in turn",
-        choices=("in_turn", "lock_step"),
-    )
+from acoexp.colony.scalars import ColonySettings
+from acoexp.grid.field import FieldSettings, PotentialField, potential_field
+from acoexp.grid.grid import Cell, Grid
+from acoexp.grid.moves import DIRECTIONS
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +26,7 @@ class Problem:
     @cached_property
     def field(self) -> PotentialField:
         """The map's potential field, computed when a part first asks for it."""
-        return potential_field(self.grid, self.field_settings)
+        return potential_field(self.grid.obstacles, self.grid.goal, self.field_settings)
 
     @property
     def width(self) -> int:

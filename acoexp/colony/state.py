@@ -7,23 +7,20 @@ direction: edge = cell * 8 + direction. Edges are directed.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.colony.pheromone import HIGHEST_POWER
-from acoexp.colony.problem import Problem
-from acoexp.grid import DIRECTIONS
+Kernel = Callable[..., Any]
+"""A compiled function."""
 
 LOST = 8
 """What a choice returns when no cell is left to go to."""
 
 NO_WAY_HERE = 8
 """The direction an ant came from while it still stands on the start."""
-
-STALE_EDGES = 4096
-"""Edges whose weight may wait to be recomputed until an update is over."""
 
 
 class Trails(NamedTuple):
@@ -98,64 +95,86 @@ class Colony(NamedTuple):
     untouched: NDArray[np.float64]
 
 
-def new_trails(ants: int, cells: int) -> Trails:
-    """Return empty trails for so many ants on a map of so many cells (border included)."""
-    return Trails(
-        np.empty((ants, cells), dtype=np.uint8),
-        np.zeros(ants, dtype=np.int32),
-        np.zeros(ants, dtype=np.int32),
-        np.full(ants, np.inf),
-    )
+class Crowd(NamedTuple):
+    """Ants that walk at the same time.
 
-
-def direction_offsets(width: int) -> NDArray[np.int64]:
-    """Return int64[8]: from a cell to its neighbour in each direction, on a bordered map so wide."""
-    return np.array([down * width + right for down, right in DIRECTIONS], dtype=np.int64)
-
-
-def offset_directions(width: int) -> NDArray[np.uint8]:
-    """Return uint8[2 * width + 3], the inverse: ``directions[offset + width + 1]``; 8 where there is none."""
-    directions = np.full(2 * width + 3, 8, dtype=np.uint8)
-    directions[direction_offsets(width) + width + 1] = np.arange(8)
-    return directions
-
-
-def new_colony(problem: Problem, desirability: NDArray[np.float64], stop: NDArray[np.uint8]) -> Colony:
-    """Return a colony for one worker, to be used for one trial after the other.
-
-    Args:
-        problem: What is to be solved.
-        desirability: float64[edges], eta^beta, 0 where a move is not allowed; shared between workers.
-        stop: uint8[1], by which whoever holds it ends the trial.
+    Attributes:
+        cell: int64[ants], where each is.
+        walks: bool[ants], whether it walks on.
+        untouched: float64[ants, cells], to each ant what ``Colony.untouched`` is to one that walks alone.
     """
-    settings = problem.settings
-    allowed = problem.per_cell(problem.grid.allowed, border=0)
-    cells = allowed.size
-    return Colony(
-        start=np.int64(problem.cell(problem.grid.start)),
-        goal=np.int64(problem.cell(problem.grid.goal)),
-        width=np.int64(problem.width),
-        offsets=direction_offsets(problem.width),
-        direction_of=offset_directions(problem.width),
-        allowed=allowed,
-        desirability=desirability,
-        alpha=settings.alpha,
-        beta=settings.beta,
-        rho=settings.rho,
-        q=settings.q,
-        tau0=settings.tau0,
-        ants=settings.ants,
-        iterations=settings.iterations,
-        highest_stored=HIGHEST_POWER ** (1.0 / max(settings.alpha, 1.0)),
-        stored=np.empty(cells * 8),
-        scale=np.ones(1),
-        weight=np.empty(cells * 8),
-        stale=np.empty(min(STALE_EDGES, cells * 8), dtype=np.int32),
-        stale_count=np.zeros(1, dtype=np.int64),
-        cycle=np.zeros(1, dtype=np.int64),
-        random=np.zeros(4, dtype=np.uint64),
-        unsound=np.zeros(1, dtype=np.uint8),
-        stop=stop,
-        on_cells=True if settings.pheromone == "cells" else None,
-        untouched=np.ones(cells),
-    )
+
+    cell: NDArray[np.int64]
+    walks: NDArray[np.bool_]
+    untouched: NDArray[np.float64]
+
+
+class Kernels(NamedTuple):
+    """What acts while a trial runs: one kernel for each part, by group. ``post=None`` leaves paths as walked."""
+
+    choice: Kernel
+    diffusion: Kernel
+    post: Kernel | None
+    update: Kernel
+
+
+class Own(NamedTuple):
+    """The state that each of these parts asked for: whatever its ``prepare`` returned."""
+
+    choice: Any
+    diffusion: Any
+    post: Any
+    update: Any
+
+
+class Prepared(NamedTuple):
+    """What the parts have prepared for all trials.
+
+    Attributes:
+        desirability: eta^beta, float64[edges], 0 where a move is not allowed.
+        initial: The initial pheromone, float64[1] or float64[edges].
+        own: The parts' own states.
+    """
+
+    desirability: NDArray[np.float64]
+    initial: NDArray[np.float64]
+    own: Own
+
+
+class Room(NamedTuple):
+    """What the loop works on: one thread's memory, used for one trial after the other.
+
+    Attributes:
+        colony: The colony.
+        crowd: Its ants, where they walk together; else None.
+        own: The parts' own states.
+        initial: The initial pheromone, as in ``Prepared``.
+        raw, final: The ways of a cycle's ants, as walked and as optimised; one object if there is no
+            post-optimiser.
+        best: Two rows: the run's best path so far, and that path as it was walked.
+        cells: int32[cells], a path as cells while a post-optimiser works on it.
+    """
+
+    colony: Colony
+    crowd: Crowd | None
+    own: Own
+    initial: NDArray[np.float64]
+    raw: Trails
+    final: Trails
+    best: Trails
+    cells: NDArray[np.int32]
+
+
+class Record(NamedTuple):
+    """What one trial leaves behind, besides its best path.
+
+    Attributes:
+        pairs: int32[iterations, 2], the straight and diagonal moves of the best path found in each cycle; -1
+            where all ants were lost.
+        lost: int32[iterations], ants lost in each cycle.
+        ant_steps: int64[1], moves made by all ants together.
+    """
+
+    pairs: NDArray[np.int32]
+    lost: NDArray[np.int32]
+    ant_steps: NDArray[np.int64]

@@ -1,54 +1,38 @@
 """Walking: how the ants of a cycle get from the start to the goal, one after another or all together.
 
-An order makes two kernels from those of choice and diffusion: ``walk_together(colony, crowd, own, raw)``, called
-once a cycle, and ``walk(colony, own, raw, ant)``, called for each ant after that. One of the two does the work.
-Both write the ants' ways into ``raw`` and return False if a choice made a move that is not allowed, or never came
+An order makes two kernels from those of choice and diffusion: ``walk_together(room)``, called once a cycle, and
+``walk(room, ant)``, called for each ant after that. One of the two does the work, the other is ``idle``. Both
+write the ants' ways into ``room.raw`` and return False if a choice made a move that is not allowed, or never came
 to an end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.state import LOST, NO_WAY_HERE, Colony
+from acoexp.colony.state import LOST, NO_WAY_HERE, Colony, Kernel
 from acoexp.colony.tabu import forget, touch
 from acoexp.colony.trails import measure
 
-Kernel = Callable[..., Any]
 Order = Callable[[Kernel, Kernel], tuple[Kernel, Kernel]]
 
 
-class Crowd(NamedTuple):
-    """Ants that walk at the same time.
-
-    Attributes:
-        cell: int64[ants], where each is.
-        walks: bool[ants], whether it walks on.
-        untouched: float64[ants, cells], to each ant what ``Colony.untouched`` is to one that walks alone.
-    """
-
-    cell: NDArray[np.int64]
-    walks: NDArray[np.bool_]
-    untouched: NDArray[np.float64]
-
-
-def new_crowd(ants: int, cells: int) -> Crowd:
-    """Return so many ants on a map of so many cells (border included)."""
-    return Crowd(
-        np.zeros(ants, dtype=np.int64), np.zeros(ants, dtype=np.bool_), np.ones((ants, cells), dtype=np.float64)
-    )
+@compiled
+def idle(*_: Any) -> bool:
+    """Do nothing, with success: stands where a colony has no use for a kernel, and costs nothing."""
+    return True
 
 
 def in_turn(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
     """Each ant sets out when the one before has arrived, or is lost."""
 
     @compiled
-    def walk(colony: Any, own: Any, raw: Any, ant: Any) -> Any:
+    def walk(room: Any, ant: Any) -> Any:
+        colony, own, raw = room.colony, room.own, room.raw
         cell, came = colony.start, NO_WAY_HERE
         touch(colony, cell)
         steps = straight = 0
@@ -70,14 +54,15 @@ def in_turn(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
         forget(colony, raw, ant)
         return cell == colony.goal or move == LOST
 
-    return _nobody_walks, walk
+    return idle, walk
 
 
 def lock_step(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
     """All set out together, and make one step each in turn, until every one has arrived or is lost."""
 
     @compiled
-    def step(colony: Any, crowd: Any, own: Any, raw: Any, ant: Any) -> Any:
+    def step(colony: Any, room: Any, ant: Any) -> Any:
+        crowd, own, raw = room.crowd, room.own, room.raw
         cell, steps = crowd.cell[ant], raw.steps[ant]
         came = np.int64(raw.moves[ant, steps - 1]) if steps > 0 else NO_WAY_HERE
         diffuse(colony, own.diffusion, ant, cell, came)
@@ -95,7 +80,8 @@ def lock_step(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
         return crowd.walks[ant] or cell == colony.goal
 
     @compiled
-    def walk_together(colony: Any, crowd: Any, own: Any, raw: Any) -> bool:
+    def walk_together(room: Any) -> bool:
+        colony, crowd, raw = room.colony, room.crowd, room.raw
         for ant in range(colony.ants):
             crowd.cell[ant], crowd.walks[ant] = colony.start, True
             touch(_as_seen_by(colony, crowd, ant), colony.start)
@@ -105,7 +91,7 @@ def lock_step(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
             walking = False
             for ant in range(colony.ants):
                 if crowd.walks[ant]:
-                    sound &= step(_as_seen_by(colony, crowd, ant), crowd, own, raw, ant)
+                    sound &= step(_as_seen_by(colony, crowd, ant), room, ant)
                     walking |= crowd.walks[ant]
         for ant in range(colony.ants):
             measure(raw, ant, raw.steps[ant], raw.straight[ant])
@@ -114,20 +100,10 @@ def lock_step(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
             forget(_as_seen_by(colony, crowd, ant), raw, ant)
         return sound
 
-    return walk_together, _has_walked
+    return walk_together, idle
 
 
 ORDERS: dict[str, Order] = {"in_turn": in_turn, "lock_step": lock_step}
-
-
-@compiled
-def _nobody_walks(colony: Any, crowd: Any, own: Any, raw: Any) -> bool:
-    return True
-
-
-@compiled
-def _has_walked(colony: Any, own: Any, raw: Any, ant: Any) -> bool:
-    return True
 
 
 @compiled

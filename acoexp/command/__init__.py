@@ -1,1 +1,1 @@
-"""The command line: arguments, jobs, sweeps, and what a person sees of them; all that knows of Hydra."""
+"""The command line, and all that knows of Hydra: arguments, jobs, sweeps, what a person sees."""

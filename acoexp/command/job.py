@@ -2,80 +2,90 @@
 
 from __future__ import annotations
 
+import logging
 import math
-import pickle
-from functools import lru_cache
+from collections.abc import Mapping
+from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
-from acoexp import registry
-from acoexp.command import summary
-from acoexp.command.messages import print_error
-from acoexp.command.parcel import Parcel
-from acoexp.command.records import run_batch_job, run_trial_job
-from acoexp.errors import SettingsError, StoreGoneError
-from acoexp.grid import Grid
+from acoexp.command.handover import Handover
+from acoexp.command.options.keys import JobKeys
+from acoexp.command.results.contents import batch_record, trial_record
+from acoexp.command.results.records import BATCH, TRIAL, write_progress, write_record
+from acoexp.command.results.table import print_report, print_trial
+from acoexp.command.results.watch import Watched, watching
+from acoexp.console.ending import FAILED, print_error
+from acoexp.console.whole import whole_file, write_whole
+from acoexp.errors import SettingsError, StoreGoneError, StrategyError
+from acoexp.grid.grid import Grid
+from acoexp.parameters import build, fields_of
+from acoexp.registry.load_map import load_map
+from acoexp.registry.parts import build_part
+from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
 from acoexp.report.report import Report
-from acoexp.seeds import Seeds, check_seed, parse_seeds
-from acoexp.settings import Settings, resolve
-from acoexp.solver import check_threads
-from acoexp.tracking import Setup, Tracker, open_tracker
-from acoexp.tracking.setup import NOT_OF_THE_TRIAL
+from acoexp.runs.batch import keep_batch, kept_trials
+from acoexp.runs.trial import keep_trial
+from acoexp.tracking.open import open_tracker
+from acoexp.tracking.setup import Setup
+from acoexp.tracking.tracker import Tracker
+from acoexp.trial.batch import Batch
+from acoexp.trial.result import Result
+from acoexp.trial.seeds import Seeds, parse_seeds
+from acoexp.trial.settings import Settings
+from acoexp.trial.table import csv_lines
 
-_NOT_SETTINGS = ("seed", "algo", "map", *NOT_OF_THE_TRIAL)
+log = logging.getLogger(__name__)
+
+_NOT_SETTINGS = {"algo", "map", "report", "tracking", *fields_of(JobKeys)}
 
 
 def run_job(config: DictConfig) -> float:
-    """Run what a configuration describes; return the best length, or a batch's mean of it.
-
-    It is infinite where no ant ever arrived, and nan for a report.
+    """Run what a configuration describes; see :meth:`Job.run`.
 
     Raises:
         AcoexpError: for whatever went wrong.
     """
-    with Parcel().at_home():  # files and stores are named from there, also under hydra.job.chdir
+    handover = Handover()
+    with handover.in_parent_folder():  # files and stores are named from there, also under hydra.job.chdir
+        run = handover.ready or Job(config, handover).run
         try:
-            return Job(config).run()
+            return run()
         except StoreGoneError as problem:  # no further job could be kept either, so the sweep ends here
-            print_error(problem)
-            raise SystemExit(1) from problem
+            print_error(str(problem))
+            raise SystemExit(FAILED) from problem
 
 
 class Job:
     """A checked configuration, ready to run.
 
     Attributes:
+        config: The configuration as plain values.
+        keys: Which trials it is, and how they are run.
+        seeds: The seeds of a batch, or None for a single trial.
         tracker: Where its results go.
         setup: What its trials are of.
-        seeds: The seeds of a batch, or None for a single trial.
         report: The report that is asked for, or None.
 
     Raises:
         AcoexpError: if anything in it is wrong; nothing has been written then.
     """
 
-    def __init__(self, config: DictConfig) -> None:
+    def __init__(self, config: DictConfig, handover: Handover) -> None:
         self.config = _plain(config)
+        self._handover = handover
         self.tracker: Tracker = open_tracker(self._tracking())
-        self.seed = check_seed(self.config.get("seed"))
-        seeds = self.config.get("seeds")
-        self.seeds: Seeds | None = None if seeds is None else parse_seeds(seeds)
-        self.threads: int | None = self.config.get("threads")
-        if self.threads is not None:
-            check_threads(self.threads)
-        self.resume = _check_flag("resume", self.config.get("resume"))
-        self.setup = Setup(self._settings(), self._grid(), self.config)
+        self.keys, self.seeds = self._keys()
+        self.setup = Setup(self._settings(), self._grid(), self._mapping("map"))
         self.report = self._report()
-        if self.report is not None and self.seeds is not None:
-            raise SettingsError(f"seeds: expected none with a report, which has keys of its own; got {seeds!r}")
-        if self.report is not None:
-            self.report.check(self._context(self.report, Path()))
 
     @property
     def trials(self) -> int:
@@ -83,42 +93,79 @@ class Job:
         return 1 if self.seeds is None else len(self.seeds)
 
     def run(self) -> float:
-        """Run the trials and keep what they found, or write the report that is asked for."""
-        if self.report is not None:
-            return self._write_report(self.report)
-        hydra = HydraConfig.get()
-        folder = Path(hydra.runtime.output_dir)
-        (folder / "config.yaml").write_text(OmegaConf.to_yaml(self.config), encoding="utf-8")
-        anew = not self.resume
-        if self.seeds is not None:
-            return run_batch_job(self.setup, self.seeds, self.tracker, folder, threads=self.threads, anew=anew)
-        pictures = hydra.mode == RunMode.RUN
-        return run_trial_job(self.setup, self.seed, self.tracker, folder, anew=anew, pictures=pictures)
+        """Run the trials and keep what they found, or write the report; return the best length, or its mean.
 
-    def _write_report(self, report: Report) -> float:
-        """Write a report: under outputs/reports, or in the job's own folder if it is one of several."""
-        hydra, name = HydraConfig.get(), self.config["report"]["name"]
-        several = hydra.mode == RunMode.MULTIRUN
-        folder = Path(hydra.runtime.output_dir if several else "outputs/reports") / name
-        written = report.write(self._context(report, folder))
-        summary.print_report(written, report.headline(written))
+        It is infinite where no ant ever arrived, and nan for a report.
+        """
+        hydra = HydraConfig.get()
+        folder, alone = Path(hydra.runtime.output_dir), hydra.mode == RunMode.RUN
+        if self.report is not None:
+            reports = Path("outputs/reports") if alone else folder
+            return self._write_report(self.report, reports / self.config["report"]["name"])
+        write_whole(folder / "config.yaml", OmegaConf.to_yaml(self.config))
+        if self.seeds is None:
+            return self._run_trial(folder, alone)
+        watched = Watched(folder=folder, where=self.tracker.where, trials=len(self.seeds))
+        with watching(watched) if alone else nullcontext():
+            return self._run_batch(folder, self.seeds)
+
+    def _run_trial(self, folder: Path, alone: bool) -> float:
+        """Run one trial; with pictures and its row of figures where it is the only one."""
+        trial, seconds = keep_trial(self.setup, self.keys.seed, self.tracker, resume=self.keys.resume)
+        write_record(folder / TRIAL, trial_record(trial, seconds))
+        if alone:
+            _draw(trial.result, folder)
+            print_trial(Path(HydraConfig.get().run.dir), self.tracker.where)
+        return trial.result.length if trial.result.path is not None else math.inf
+
+    def _run_batch(self, folder: Path, seeds: Seeds) -> float:
+        """Run what is missing of a batch.
+
+        Raises:
+            StrategyError: if any of its trials failed; all others have been run and kept.
+        """
+        batch = keep_batch(
+            self.setup,
+            seeds,
+            self.tracker,
+            threads=self.keys.threads,
+            resume=self.keys.resume,
+            show=partial(write_progress, folder),
+        )
+        if len(batch.table):
+            with whole_file(folder / "trials.csv") as draft, draft.open("w", encoding="utf-8") as file:
+                file.writelines(f"{line}\n" for line in csv_lines(batch.table))
+            write_record(folder / BATCH, batch_record(self.setup, seeds, batch))
+        _raise_if_failed(batch, len(seeds))
+        lengths = batch.table["l1"]
+        return math.inf if np.isnan(lengths).any() else float(lengths.mean())
+
+    def _write_report(self, report: Report, folder: Path) -> float:
+        written = report.write(self._context(folder))
+        print_report(written, report.headline(written))
         return math.nan
 
-    def _context(self, report: Report, folder: Path) -> Context:
+    def _context(self, folder: Path) -> Context:
+        algo, keys = self.config["algo"], self.keys
         return Context(
-            algo=self.config["algo"],
+            algo=algo,
+            preset=resolve(algo, {}),
             settings=self.setup.settings,
             grid=self.setup.grid,
             folder=folder,
-            tracker=self.tracker,
-            threads=self.threads,
-            resume=self.resume,
+            trials_of=partial(kept_trials, tracker=self.tracker, threads=keys.threads, resume=keys.resume),
         )
+
+    def _keys(self) -> tuple[JobKeys, Seeds | None]:
+        given = {key: self.config.get(key) for key in fields_of(JobKeys)}
+        seeds = None if given["seeds"] is None else parse_seeds(given["seeds"])
+        keys: JobKeys = build(JobKeys, {**given, "seeds": None if seeds is None else str(seeds)})
+        return keys, seeds
 
     def _tracking(self) -> dict[str, Any]:
         """Return where results go, by the absolute address if the parent gave one."""
-        tracking = self._mapping("tracking")
-        absolute = Parcel().addresses.get(str(tracking.get("uri")))
+        tracking = dict(self._mapping("tracking"))
+        absolute = self._handover.addresses.get(str(tracking.get("uri")))
         return tracking if absolute is None else {**tracking, "uri": absolute}
 
     def _settings(self) -> Settings:
@@ -126,39 +173,53 @@ class Job:
         return resolve(self.config.get("algo"), values)
 
     def _grid(self) -> Grid:
-        parameters = dict(self._mapping("map"))
-        source = registry.build_part("map", parameters.pop("name", None), parameters)
-        return _load(source, Parcel().map_of(self._mapping("map")))
+        config = self._mapping("map")
+        handed_over = self._handover.map_of(config)
+        if handed_over is not None:
+            return handed_over
+        parameters = dict(config)
+        return load_map(parameters.pop("name", None), parameters)
 
     def _report(self) -> Report | None:
-        """Return the report that was asked for, or None."""
+        """Return the report that was asked for, checked, or None."""
         parameters = dict(self._mapping("report"))
         name = parameters.pop("name", None)
-        if name != "none":
-            report: Report = registry.build_part("report", name, parameters)
-            return report
-        for key in parameters:
-            raise SettingsError(f"report.{key} is not a known key of report=none")
-        return None
+        if name == "none":
+            for key in parameters:
+                raise SettingsError(f"report.{key} is not a known key of report=none")
+            return None
+        report: Report = build_part("report", name, parameters)
+        if self.seeds is not None:
+            raise SettingsError(
+                f"seeds: expected none with a report, which has keys of its own; got {self.config['seeds']!r}"
+            )
+        report.check(self._context(Path()))
+        return report
 
-    def _mapping(self, key: str) -> dict[str, Any]:
+    def _mapping(self, key: str) -> Mapping[str, Any]:
         value = self.config.get(key)
         if not isinstance(value, dict):
             raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
         return value
 
 
-def _check_flag(key: str, value: Any) -> bool:
-    if not isinstance(value, bool):
-        raise SettingsError(f"{key}: expected true or false; got {value!r}")
-    return value
+def _raise_if_failed(batch: Batch, trials: int) -> None:
+    if batch.failures:
+        raise StrategyError(f"{len(batch.failures)} of {trials} trials failed: {batch.failures[0].reason}")
 
 
-@lru_cache(maxsize=4)
-def _load(source: Any, carried: Path | None) -> Grid:
-    """Load a map once for the jobs of a process that share it: as the parent found it, if it sent it along."""
-    grid: Grid = source.load() if carried is None else pickle.loads(carried.read_bytes())
-    return grid
+def _draw(result: Result, folder: Path) -> None:
+    """Draw the pictures of a trial; it is kept by now, so one that cannot be drawn is only a warning."""
+    try:
+        from acoexp.command.results.pictures import (  # matplotlib takes its time to import
+            draw_convergence,
+            draw_map,
+        )
+
+        draw_map(result, folder / "path.png")
+        draw_convergence(result, folder / "convergence.png")
+    except Exception as problem:
+        log.warning("the pictures could not be drawn: %s: %s", type(problem).__name__, problem)
 
 
 def _plain(config: DictConfig) -> dict[str, Any]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-import sys
 
 from omegaconf import DictConfig
 
-from acoexp import registry
 from acoexp.errors import did_you_mean
+from acoexp.registry.entries import GROUPS, not_found
+from acoexp.registry.parts import key_of_another
 
 _EXTRAS = {
     "hydra/launcher/joblib": ("engine", "joblib"),
@@ -17,11 +17,6 @@ _EXTRAS = {
     "hydra/sweeper/optuna": ("hydra/sweeper", "optuna"),
 }
 """What comes with an extra: its group, and the name that it and the extra have."""
-
-
-def print_error(problem: Exception) -> None:
-    """Print an error as one line."""
-    print(f"acoexp: error: {in_one_line(problem)}", file=sys.stderr)
 
 
 def in_one_line(problem: Exception) -> str:
@@ -36,7 +31,7 @@ def in_one_line(problem: Exception) -> str:
         return f"{group}: {name} needs `pip install acoexp[{name}]`"
     missing = re.match(r"In '[^']+': Could not find '([^/']+)/([^']+)' Available options in '[^']+': (.*)", text)
     if missing:
-        return registry.not_found(missing[1], missing[2], missing[3].split())
+        return not_found(missing[1], missing[2], missing[3].split())
     return text or type(problem).__name__
 
 
@@ -44,9 +39,9 @@ def _unknown_key(key: str, node: DictConfig | None) -> str:
     """Say that there is no such key in a node of the configuration, and what may have been meant."""
     group, _, last = key.rpartition(".")
     known = [] if node is None else [str(other) for other in node if other not in ("hydra", "name")]
-    if node is not None and group in registry.GROUPS:
-        told = registry.key_of_another(group, node.get("name"), last)
-        if told is not None:
-            return told
+    if node is not None and group in GROUPS:
+        refusal = key_of_another(group, node.get("name"), last)
+        if refusal is not None:
+            return refusal
     like = did_you_mean(last, known)
     return f"{key} is not a known key; --help lists the keys, --cfg job shows the settings{like}"

@@ -114,7 +114,7 @@ class Grid:
     @cached_property
     def shortest_path(self) -> NDArray[np.int64]:
         """One exact shortest path, int[n, 2] (None only while the constructor checks that there is one)."""
-        return shortest_path(self)  # type: ignore[return-value]
+        return shortest_path(self.allowed, self.start, self.goal)  # type: ignore[return-value]
 
     @cached_property
     def optimum_pair(self) -> tuple[int, int]:

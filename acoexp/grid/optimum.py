@@ -12,34 +12,39 @@ from acoexp.grid.moves import DIRECTIONS, SQRT2
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-    from acoexp.grid.grid import Grid
 
-
-def shortest_path(grid: Grid) -> NDArray[np.int64] | None:
+def shortest_path(
+    allowed: NDArray[np.uint8], start: tuple[int, int], goal: tuple[int, int]
+) -> NDArray[np.int64] | None:
     """Return one shortest path from start to goal as cells int[n, 2], or None if there is no way.
+
+    Args:
+        allowed: The neighbour table, uint8[rows, cols]: bit d is set where the move in direction d is allowed.
+        start: Its first cell, (row, column).
+        goal: Its last cell.
 
     Ties between paths of the same length are broken by the solver. The lengths of two different pairs
     (straight, diagonal) differ by far more than the rounding of their sums, so the optimum is exact.
     """
     from scipy.sparse.csgraph import dijkstra  # a quarter of what --help would cost
 
-    _, cols = grid.shape
-    start, goal = (row * cols + col for row, col in (grid.start, grid.goal))
-    _, before = dijkstra(_move_graph(grid), indices=start, return_predecessors=True)
-    if before[goal] < 0:
+    cols = allowed.shape[1]
+    first, last = (row * cols + col for row, col in (start, goal))
+    _, before = dijkstra(_move_graph(allowed), indices=first, return_predecessors=True)
+    if before[last] < 0:
         return None
-    cells = [goal]
-    while cells[-1] != start:
+    cells = [last]
+    while cells[-1] != first:
         cells.append(int(before[cells[-1]]))
     return np.stack(np.divmod(np.array(cells[::-1], dtype=np.int64), cols), axis=1)
 
 
-def _move_graph(grid: Grid) -> csr_array:
+def _move_graph(allowed: NDArray[np.uint8]) -> csr_array:
     """Return the allowed moves as a sparse matrix of lengths, cell by cell."""
     from scipy.sparse import csr_array
 
-    rows, cols = grid.shape
-    table = grid.allowed.ravel()
+    rows, cols = allowed.shape
+    table = allowed.ravel()
     sources, targets, lengths = [], [], []
     for direction, (down, right) in enumerate(DIRECTIONS):
         source = np.flatnonzero(table >> direction & 1).astype(np.int32)

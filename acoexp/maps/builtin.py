@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import ClassVar
 
-from acoexp.grid import MOVE_RULES, Grid
+from acoexp.grid.grid import Grid
+from acoexp.grid.moves import MOVE_RULES
 from acoexp.maps.source import MapSource
 from acoexp.maps.text import parse_map
 from acoexp.parameters import parameter

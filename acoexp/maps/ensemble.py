@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib.resources import files
 
 from acoexp.errors import MapError
-from acoexp.grid import Grid
+from acoexp.grid.grid import Grid
 from acoexp.maps.text import parse_map
 
 NAMES = ("fig13", "env1", "env2")

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from acoexp.errors import MapError
-from acoexp.grid import MOVE_RULES, Cell, Grid
+from acoexp.grid.grid import Cell, Grid
+from acoexp.grid.moves import MOVE_RULES
 from acoexp.maps.source import MapSource
 from acoexp.maps.text import parse_map
 from acoexp.parameters import REQUIRED, parameter

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 
-from acoexp.grid import Grid
+from acoexp.grid.grid import Grid
 
 
 class MapSource(ABC):

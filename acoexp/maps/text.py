@@ -6,7 +6,7 @@ Lines that start with ``;`` are remarks; one of the form ``; key: value`` is met
 from __future__ import annotations
 
 from acoexp.errors import MapError
-from acoexp.grid import Cell, Grid
+from acoexp.grid.grid import Cell, Grid
 
 _MARKS = {"S": 0, "G": 0}
 _ART = {".": 0, "#": 1, **_MARKS}

@@ -1,1 +1,1 @@
-"""Maps by calibration: a seeded search for the lost maps of Liu et al. 2017, under standard ACO alone."""
+"""The search for the lost maps of Liu et al. 2017, under standard ACO alone."""

@@ -8,28 +8,21 @@ from typing import Any
 from omegaconf import OmegaConf
 from yaml import YAMLError
 
-from acoexp.command.messages import print_error
-from acoexp.errors import AcoexpError, SettingsError
-from acoexp.parameters import build, fields_of
+from acoexp.console.ending import ends_cleanly
+from acoexp.console.parameters import described_parameters, in_columns
+from acoexp.errors import SettingsError
+from acoexp.parameters import build
 from acoexp.reconstruct.calibration import Calibration
-
-INTERRUPTED = 130
 
 
 def main(arguments: list[str]) -> None:
     """Run the search; leaves by ``SystemExit`` if anything is wrong."""
     if {"-h", "--help"} & set(arguments):
-        print(_help())
+        print(_help(), end="")
         return
-    try:
+    with ends_cleanly("the maps of finished runs are kept"):
         for file in build(Calibration, _values(arguments)).run():
             print(file)
-    except KeyboardInterrupt:
-        print("acoexp: interrupted; the maps of finished runs are kept", file=sys.stderr)
-        sys.exit(INTERRUPTED)
-    except (AcoexpError, OSError) as problem:
-        print_error(problem)
-        sys.exit(1)
 
 
 def _values(arguments: list[str]) -> dict[str, Any]:
@@ -44,15 +37,8 @@ def _values(arguments: list[str]) -> dict[str, Any]:
 
 
 def _help() -> str:
-    lines = [
-        "python -m acoexp.reconstruct [key=value ...]: search for the paper's lost maps, one for each seed",
-        "",
-    ]
-    for name, field in fields_of(Calibration).items():
-        lines.append(
-            f"  {name}={'' if field.default is None else field.default}".ljust(26) + field.metadata["meaning"]
-        )
-    return "\n".join(lines)
+    heading = "python -m acoexp.reconstruct [key=value ...]: search for the paper's lost maps, one for each seed"
+    return f"{heading}\n\n{in_columns(described_parameters(Calibration))}"
 
 
 if __name__ == "__main__":

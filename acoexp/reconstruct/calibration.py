@@ -8,24 +8,32 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from acoexp.console.whole import write_whole
 from acoexp.errors import AcoexpError, SettingsError
-from acoexp.grid import MOVE_RULES
+from acoexp.grid.grid import Grid
+from acoexp.grid.moves import MOVE_RULES
 from acoexp.parameters import parameter
-from acoexp.reconstruct.colonies import Colonies
 from acoexp.reconstruct.fit import Fit
 from acoexp.reconstruct.layout import Layout, paint
 from acoexp.reconstruct.mapfile import map_text, read_layout
-from acoexp.reconstruct.published import ENVIRONMENTS
-from acoexp.reconstruct.search import Search
+from acoexp.reconstruct.outcomes import Outcomes
+from acoexp.reconstruct.published import CYCLES, ENVIRONMENTS
+from acoexp.reconstruct.screen import SIZE
+from acoexp.reconstruct.search import SEARCH_CYCLES, Search
+from acoexp.registry.resolve import resolve
+from acoexp.trial.solver import Solver
 
 FRESH_SEEDS = range(1000)
 """Seeds of the trials by which a map's fit is reported; the search draws all of its own from above them."""
 
-CYCLES = 200
-"""Cycles of those trials, as in the paper."""
+
+def standard_aco(cycles: int) -> Solver:
+    """Return a solver of standard ACO with the paper's settings; on an empty map, until it is put on another."""
+    return Solver(Grid(np.zeros((SIZE, SIZE))), resolve("aco", {"iterations": cycles}))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,12 +53,13 @@ class Calibration:
         """Return the map file's text that one seed leads to."""
         environment = ENVIRONMENTS[self.env]
         begin, moves = self._beginning()
-        search = Search(environment, seed, moves)
+        search = Search(environment, seed, moves, standard_aco(SEARCH_CYCLES))
         layout = search.run(self.steps, progress, begin)
-        outcomes = Colonies(search.moves, CYCLES).run(paint(layout), FRESH_SEEDS)
+        aco = standard_aco(CYCLES).on(Grid(paint(layout), moves=search.moves))
+        fit = Fit.of(environment, Outcomes.of(result.curve_pairs for result in aco.trials(FRESH_SEEDS)))
         command = f"python -m acoexp.reconstruct env={self.env} seed={seed} steps={self.steps}"
         command += "".join(f" {key}={getattr(self, key)}" for key in ("moves", "begin") if getattr(self, key))
-        return map_text(layout, search.moves, environment, Fit.of(environment, outcomes), command)
+        return map_text(layout, search.moves, environment, fit, command)
 
     def _beginning(self) -> tuple[Layout | None, str | None]:
         """Return the layout to go on from, and the rule for diagonals, where they are given."""
@@ -68,33 +77,35 @@ class Calibration:
         Raises:
             SettingsError: if the map to begin with is none, or the folder cannot be written to.
         """
-        seeds = range(self.seed, self.seed + self.runs)
+        folder = Path(self.out)
+        files = {seed: folder / f"{self.env}-{seed:02d}.txt" for seed in range(self.seed, self.seed + self.runs)}
+        self._beginning()  # so that nothing is written if it is wrong
+        _make_folder(folder)
         columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
         console = Console(stderr=True)
-        files = {seed: Path(self.out) / f"{self.env}-{seed:02d}.txt" for seed in seeds}
-        self._beginning()  # so that nothing is written if it is wrong
-        _make_folder(Path(self.out))
-        stopped = threading.Event()
-        with (
-            Progress(*columns, console=console, disable=not console.is_terminal) as shown,
-            ThreadPoolExecutor(self.threads) as pool,
-        ):
+        with Progress(*columns, console=console, disable=not console.is_terminal) as shown:
             task = shown.add_task(f"{self.env}: candidates", total=self.runs * self.steps)
+            self._search_all(files, lambda: shown.advance(task))
+        return list(files.values())
 
-            def advance() -> None:
-                if stopped.is_set():
-                    raise AcoexpError("the search was stopped")
-                shown.advance(task)
+    def _search_all(self, files: dict[int, Path], advance: Callable[[], None]) -> None:
+        """Search from every seed; if one search fails, or on Ctrl-C, the others end at their next candidate."""
+        stopped = threading.Event()
 
-            searches = {pool.submit(self.search, seed, advance): seed for seed in seeds}
+        def progress() -> None:
+            if stopped.is_set():
+                raise AcoexpError("the search was stopped")
+            advance()
+
+        with ThreadPoolExecutor(self.threads) as pool:
+            searches = {pool.submit(self.search, seed, progress): seed for seed in files}
             try:
                 for done in as_completed(searches):
-                    _write(files[searches[done]], done.result())
+                    write_whole(files[searches[done]], done.result())
             except BaseException:
                 stopped.set()
                 pool.shutdown(wait=False, cancel_futures=True)
                 raise
-        return list(files.values())
 
 
 def _make_folder(folder: Path) -> None:
@@ -104,9 +115,3 @@ def _make_folder(folder: Path) -> None:
         raise SettingsError(
             f"out: expected a folder to write to; got {str(folder)!r} ({problem.strerror})"
         ) from problem
-
-
-def _write(file: Path, text: str) -> None:
-    draft = file.with_suffix(".draft")
-    draft.write_text(text, encoding="utf-8")
-    draft.replace(file)

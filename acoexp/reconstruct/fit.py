@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.grid import path_length
-from acoexp.reconstruct.colonies import Outcomes
+from acoexp.grid.moves import path_length
 from acoexp.reconstruct.likelihood import matches, score
+from acoexp.reconstruct.outcomes import Outcomes
 from acoexp.reconstruct.published import Environment
 
 

@@ -11,12 +11,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.grid import path_length
-from acoexp.reconstruct.colonies import Outcomes
-from acoexp.reconstruct.published import Environment
-
-CYCLES = 200
-"""Cycles of a trial: x1 and x3 are at most that."""
+from acoexp.grid.moves import path_length
+from acoexp.reconstruct.outcomes import Outcomes
+from acoexp.reconstruct.published import CYCLES, Environment
 
 _BANDWIDTH = 0.2
 """Of log cycles: a published x1 of 10 is met by 8 and 12 almost as well."""

@@ -12,9 +12,12 @@ from importlib.resources import files
 
 import numpy as np
 
-from acoexp.reconstruct.colonies import Outcomes
+from acoexp.reconstruct.outcomes import Outcomes
 
 Pair = tuple[int, int]
+
+CYCLES = 200
+"""Cycles of a trial, so no x1 or x3 is later."""
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.grid import MOVE_RULES, SQRT2
+from acoexp.grid.moves import MOVE_RULES, SQRT2
 
 SIZE = 20
 """Rows and columns of the paper's maps."""

@@ -13,14 +13,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
-from acoexp.grid import MOVE_RULES, path_length
-from acoexp.reconstruct.colonies import Colonies, Outcomes
+from acoexp.grid.grid import Grid
+from acoexp.grid.moves import MOVE_RULES, path_length
 from acoexp.reconstruct.layout import Layout, is_layout, is_map, mutate, paint, random_layout
 from acoexp.reconstruct.likelihood import score
+from acoexp.reconstruct.outcomes import Outcomes
 from acoexp.reconstruct.published import Environment
 from acoexp.reconstruct.screen import Screen
+from acoexp.trial.solver import Solver
 
 FRESH_BELOW = 2**32
 """The search draws its trials' seeds from here on, so that every seed below is one that it never saw."""
@@ -37,7 +38,7 @@ _SLACK = 160.0
 _HOT, _WARM, _COLD = 2.5, 1.0, 0.4
 """Temperature at the first step, at that of a run that begins with a map given, and at the last step."""
 
-_CYCLES = 100
+SEARCH_CYCLES = 100
 """Cycles of a trial while searching: by then colonies have converged, and what follows would double the time."""
 
 _MOST_TRIALS = 512
@@ -46,23 +47,30 @@ _MOST_TRIALS = 512
 
 @dataclass
 class Candidate:
-    """A layout and the trials that were run on it."""
+    """A layout, standard ACO on its map, and the trials that were run."""
 
     layout: Layout
-    obstacles: NDArray[np.bool_]
+    aco: Solver
     trials: Outcomes
     score: float
 
 
 class Search:
-    """One annealing run: its own random numbers, screen and colonies."""
+    """One annealing run: its own random numbers and screen, and standard ACO that goes from map to map.
 
-    def __init__(self, environment: Environment, seed: int, moves: str | None) -> None:
+    Args:
+        environment: What is reconstructed.
+        seed: Of the random numbers.
+        moves: Rule for diagonals; by default the seeds take turns.
+        aco: Standard ACO with trials of ``SEARCH_CYCLES``, on any map.
+    """
+
+    def __init__(self, environment: Environment, seed: int, moves: str | None, aco: Solver) -> None:
         self.environment = environment
         self.rng: Generator = np.random.default_rng(seed)
         self.moves = MOVE_RULES[seed % len(MOVE_RULES)] if moves is None else moves
         self._screen = Screen(self.moves)
-        self._colonies = Colonies(self.moves, _CYCLES)
+        self._aco = aco
 
     def run(self, steps: int, progress: Callable[[], None], begin: Layout | None = None) -> Layout:
         """Return the best map that so many steps lead to, from a layout given or from the best of many."""
@@ -131,16 +139,15 @@ class Search:
         return candidate
 
     def _tried(self, layout: Layout, trials: int) -> Candidate:
-        obstacles = paint(layout)
-        outcomes = self._colonies.run(obstacles, self._seeds(trials))
-        return Candidate(layout, obstacles, outcomes, score(self.environment, outcomes))
+        aco = self._aco.on(Grid(paint(layout), moves=self.moves))
+        outcomes = self._run(aco, trials)
+        return Candidate(layout, aco, outcomes, score(self.environment, outcomes))
 
     def _try(self, candidate: Candidate, trials: int) -> None:
         """Run more trials on a candidate and judge it by all of them."""
-        more = self._colonies.run(candidate.obstacles, self._seeds(trials))
-        candidate.trials = candidate.trials.joined(more)
+        candidate.trials = candidate.trials.joined(self._run(candidate.aco, trials))
         candidate.score = score(self.environment, candidate.trials)
 
-    def _seeds(self, count: int) -> list[int]:
-        drawn: list[int] = self.rng.integers(FRESH_BELOW, 2**63, size=count).tolist()
-        return drawn
+    def _run(self, aco: Solver, trials: int) -> Outcomes:
+        seeds: list[int] = self.rng.integers(FRESH_BELOW, 2**63, size=trials).tolist()
+        return Outcomes.of(result.curve_pairs for result in aco.trials(seeds))

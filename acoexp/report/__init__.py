@@ -1,1 +1,1 @@
-"""Reports: what is made of many trials; what one is, and the comparison of any two or more configurations."""
+"""What a report is, and what it is given; not one report is here."""

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from acoexp.report.context import Context
+from acoexp.report.context import Context
 
 
 class Report(ABC):
@@ -35,22 +30,3 @@ class Report(ABC):
     def headline(self, folder: Path) -> Sequence[Sequence[str]]:
         """Return a short table of what the written report says: its headings, then its rows."""
         return []
-
-
-@contextmanager
-def written_whole(folder: Path) -> Iterator[Path]:
-    """Give a draft folder to write to, which then replaces ``folder``; after an error nothing has changed."""
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    draft, old = (folder.with_name(f".{folder.name}-{os.getpid()}-{what}") for what in ("draft", "old"))
-    shutil.rmtree(draft, ignore_errors=True)  # of a process that had this number and was killed
-    draft.mkdir()
-    try:
-        yield draft
-        if folder.exists():
-            folder.replace(old)
-        draft.replace(folder)
-    finally:
-        if old.exists() and not folder.exists():
-            old.replace(folder)
-        shutil.rmtree(draft, ignore_errors=True)
-        shutil.rmtree(old, ignore_errors=True)

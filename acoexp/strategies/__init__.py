@@ -1,4 +1,4 @@
-"""The strategies: one short file each, registered by entry point like anybody's."""
+"""One strategy a file, registered by entry point like anybody's; ``part`` is the contract."""
 
 from acoexp.strategies.part import Choice, Diffusion, Heuristic, Part, Post, Update
 

@@ -23,27 +23,15 @@ from numpy.typing import NDArray
 from acoexp.colony.compiled import is_compiled
 from acoexp.colony.problem import Problem
 from acoexp.errors import StrategyError
+from acoexp.strategies.groups import STRATEGY_GROUPS
 
 CONTRACT = 1
 """Version of this contract. It grows when a part could rely on something that was not there before; a part
 that does says so by ``contract: ClassVar[int] = n``, and an older acoexp refuses it."""
 
 
-class Heuristic(ABC):
-    """How desirable each move is, before the first cycle."""
-
-    contract: ClassVar[int] = 1
-
-    @abstractmethod
-    def eta(self, problem: Problem) -> NDArray[np.float64]:
-        """Return eta, float64[rows, cols, 8] or anything that broadcasts to it: at least 0, finite.
-
-        Values at moves that are not allowed do not matter.
-        """
-
-
 class Part:
-    """A part that acts while a trial runs."""
+    """A part of a colony."""
 
     contract: ClassVar[int] = 1
 
@@ -59,6 +47,17 @@ class Part:
         others each thread gets its own copies, brought back to these values before every trial.
         """
         return ()
+
+
+class Heuristic(Part, ABC):
+    """How desirable each move is, before the first cycle; it has no kernel, since nothing acts later."""
+
+    @abstractmethod
+    def eta(self, problem: Problem) -> NDArray[np.float64]:
+        """Return eta, float64[rows, cols, 8] or anything that broadcasts to it: at least 0, finite.
+
+        Values at moves that are not allowed do not matter.
+        """
 
 
 class Choice(Part):
@@ -99,6 +98,11 @@ class Update(Part):
         """Return the initial pheromone: one level, or float64[rows, cols, 8]. By default tau0."""
         return problem.settings.tau0
 
+
+STRATEGIES: dict[str, type[Part]] = dict(
+    zip(STRATEGY_GROUPS, (Heuristic, Choice, Diffusion, Post, Update), strict=True)
+)
+"""What the part of each group has to be."""
 
 CALLS = {
     Choice: "colony, own, ant, cell, came",

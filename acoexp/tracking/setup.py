@@ -1,19 +1,16 @@
-"""What is tracked: a configuration on a map, and a trial of it."""
+"""What is tracked: a configuration on a map, a trial of it, and a run that is found again."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
-from acoexp.grid import Grid
-from acoexp.identity import cell_identity, trial_identity
-from acoexp.result import Result
-from acoexp.settings import Settings
-
-NOT_OF_THE_TRIAL = ("tracking", "report", "seeds", "threads", "resume")
-"""Keys on which no result depends; an address may also hold a password."""
+from acoexp.grid.grid import Grid
+from acoexp.tracking.identity import configuration_id, trial_identity
+from acoexp.trial.result import Result
+from acoexp.trial.settings import Settings
 
 
 @dataclass(frozen=True)
@@ -23,35 +20,31 @@ class Setup:
     Attributes:
         settings: The settings, resolved.
         grid: The map.
-        config: The configuration that they came from, nested; what a person looks for in the store.
+        map: Name and parameters of the source that the map came from.
     """
 
     settings: Settings
     grid: Grid
-    config: Mapping[str, Any]
+    map: Mapping[str, Any]
 
     @classmethod
     def of(cls, settings: Settings, grid: Grid) -> Setup:
-        """Return the setup for settings and a map that came from no configuration."""
-        return cls(settings, grid, {**settings.as_dict(), "map": {"name": grid.name}})
+        """Return the setup for settings and a map that came from no source."""
+        return cls(settings, grid, {"name": grid.name})
 
     @cached_property
     def params(self) -> dict[str, str]:
-        """The configuration without its seed, flattened: ``diffusion.gamma`` and so on, in order."""
-        left_out = {*NOT_OF_THE_TRIAL, "seed"}
-        return {
-            **dict(flatten({key: value for key, value in self.config.items() if key not in left_out})),
-            "algo": self.settings.label,
-        }
+        """The resolved settings and the map, flattened: ``diffusion.gamma`` and so on."""
+        return dict(flatten({**self.settings.as_dict(), "map": self.map}))
 
     @cached_property
-    def cell(self) -> str:
+    def configuration_id(self) -> str:
         """The identity of all its trials together."""
-        return cell_identity(self.settings, self.grid)
+        return configuration_id(self.settings.as_dict(), self.settings.parts.values(), self.grid)
 
     def identity(self, seeds: object) -> str:
         """Return the identity of the trial with a seed, or of the batch with some seeds."""
-        return trial_identity(self.cell, seeds)
+        return trial_identity(self.configuration_id, seeds)
 
 
 @dataclass(frozen=True)
@@ -77,10 +70,24 @@ class Trial:
         return self.setup.identity(self.result.seed)
 
 
+class Found(NamedTuple):
+    """A finished run that is in the store: a trial or a batch.
+
+    Attributes:
+        trials: How many trials it is of.
+        metrics: Its metrics, by name.
+        params: Its configuration, flattened.
+    """
+
+    trials: int
+    metrics: Mapping[str, float]
+    params: Mapping[str, str]
+
+
 def flatten(config: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, str]]:
     """Yield ``(dotted key, value as text)`` for every leaf of a nested configuration."""
     for key, value in config.items():
         if isinstance(value, Mapping):
             yield from flatten(value, f"{prefix}{key}.")
         else:
-            yield f"{prefix}{key}", str(value)
+            yield f"{prefix}{key}", str(list(value) if isinstance(value, tuple) else value)

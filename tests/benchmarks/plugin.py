@@ -19,11 +19,11 @@ from pathlib import Path
 from statistics import geometric_mean, median
 from typing import Any
 
-from acoexp import registry
-from acoexp.api import as_grid
-from acoexp.settings import resolve
-from acoexp.solver import Solver
-from acoexp.testing import ns_per_step
+from acoexp.registry.load_map import as_grid
+from acoexp.registry.parts import find_part
+from acoexp.registry.resolve import resolve
+from acoexp.testing.checks import ns_per_step
+from acoexp.trial.solver import Solver
 
 PARTS = [("choice", "roulette"), ("diffusion", "gaussian"), ("update", "ant_cycle")]
 
@@ -40,7 +40,7 @@ def measure(group: str, name: str, rounds: int, first: str) -> tuple[float, floa
     """Return ns per ant step, built-in and copied, where the ``first`` of the two is made first."""
     with tempfile.TemporaryDirectory() as folder:
         sys.path.insert(0, folder)
-        choices = {"built-in": name, "copy": copied(registry.find(group, name), Path(folder))()}
+        choices = {"built-in": name, "copy": copied(find_part(group, name), Path(folder))()}
         order = sorted(choices, key=lambda which: which != first)
         solvers = {which: Solver(as_grid("env2"), resolve("pd", {group: choices[which]})) for which in order}
         times: dict[str, list[float]] = {which: [] for which in order}

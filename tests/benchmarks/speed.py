@@ -18,11 +18,11 @@ from statistics import median
 
 import numpy as np
 
-from acoexp.api import as_grid
 from acoexp.colony.problem import Problem
 from acoexp.grid import Grid
-from acoexp.settings import resolve
-from acoexp.solver import Solver
+from acoexp.registry.load_map import as_grid
+from acoexp.registry.resolve import resolve
+from acoexp.trial.solver import Solver
 
 TRIALS, CYCLES, MAP = 100, 200, "fig13"
 LARGE, LARGE_TRIALS = 512, 5

@@ -12,7 +12,7 @@ from samples import ALGOS, as_cells, random_grid, settings_of
 
 import acoexp
 from acoexp import Grid
-from acoexp.api import as_grid
+from acoexp.registry.load_map import as_grid
 from acoexp.strategies.diffusion.source import SOURCES
 
 JIT = not numba.config.DISABLE_JIT

@@ -14,7 +14,8 @@ from samples import colony_on, problem_on, trails_of
 from acoexp import Grid
 from acoexp.colony import pheromone
 from acoexp.colony.problem import Problem
-from acoexp.colony.state import Colony, direction_offsets
+from acoexp.colony.state import Colony
+from acoexp.trial.workspace import direction_offsets
 
 GRID = Grid([[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])
 WALKS = [[0, 0, 7, 6], [0, 0, 0, 6, 6], [6, 6, 0, 0, 0], [0, 7, 7], [0, 0, 6, 0, 6]]

@@ -11,8 +11,8 @@ from reference import Path, length_of, pair_of
 from samples import colony_on, drawn, grids, is_way, optimum_of, problem_on, trails_of
 
 from acoexp import Grid
-from acoexp.colony.state import new_trails
 from acoexp.colony.trails import copy_trail, measure, read_cells, write_cells
+from acoexp.trial.workspace import new_trails
 
 GRID, AT = drawn("""
     a.#.

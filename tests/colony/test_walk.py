@@ -7,13 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from samples import colony_on, problem_on
+from samples import colony_on, problem_on, room_of
 
 from acoexp import Grid
 from acoexp.colony.compiled import compiled
-from acoexp.colony.loop import Own
-from acoexp.colony.state import NO_WAY_HERE, new_trails
-from acoexp.colony.walk import ORDERS, new_crowd
+from acoexp.colony.state import NO_WAY_HERE
+from acoexp.colony.walk import ORDERS
 from acoexp.strategies.choice.roulette import spin
 from acoexp.strategies.diffusion.none import stay
 
@@ -48,18 +47,15 @@ def go_to_and_fro(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
 
 def walked(order: str, grid: Grid, ants: int, choose: Any = spin, diffuse: Any = stay, own: Any = ()) -> Any:
     """Let the ants of one cycle walk: whether they kept to the contract, their trails, and the colony."""
-    problem = problem_on(grid, ants=ants)
-    colony = colony_on(problem)
-    cells = colony.allowed.size
-    trails, crowd = new_trails(ants, cells), new_crowd(ants, cells)
-    state = Own((), own, (), ())
+    room = room_of(colony_on(problem_on(grid, ants=ants)), diffusion=own)
+    assert room.crowd is not None
     walk_together, walk = ORDERS[order](choose, diffuse)
     with np.errstate(over="ignore"):
-        sound = walk_together(colony, crowd, state, trails)
-        sound = all([sound, *(walk(colony, state, trails, ant) for ant in range(ants))])
-    assert (colony.untouched == 1.0).all()  # nothing is tabu any more, whatever happened
-    assert (crowd.untouched == 1.0).all()
-    return sound, trails, colony
+        sound = walk_together(room)
+        sound = all([sound, *(walk(room, ant) for ant in range(ants))])
+    assert (room.colony.untouched == 1.0).all()  # nothing is tabu any more, whatever happened
+    assert (room.crowd.untouched == 1.0).all()
+    return sound, room.raw, room.colony
 
 
 @pytest.mark.parametrize(("order", "ants"), [("in_turn", [0, 0, 0, 1, 1, 1]), ("lock_step", [0, 1, 0, 1, 0, 1])])

@@ -12,12 +12,13 @@ from reference import STEPS, Cell, Pair, Path
 from scipy.stats import fisher_exact
 
 from acoexp import Grid, MapError
-from acoexp.api import as_grid
 from acoexp.maps import ensemble
-from acoexp.reconstruct.colonies import Colonies
+from acoexp.reconstruct.calibration import standard_aco
 from acoexp.reconstruct.fit import Fit
 from acoexp.reconstruct.layout import is_layout, is_map, paint
-from acoexp.reconstruct.published import ENVIRONMENTS, Environment
+from acoexp.reconstruct.outcomes import Outcomes
+from acoexp.reconstruct.published import CYCLES, ENVIRONMENTS, Environment
+from acoexp.registry.load_map import as_grid
 
 EACH = pytest.mark.parametrize("environment", ENVIRONMENTS.values(), ids=list(ENVIRONMENTS))
 FRESH = 100_000
@@ -68,13 +69,11 @@ def test_a_map_has_a_path_of_every_published_length(environment: Environment) ->
 @EACH
 def test_fresh_trials_fit_as_the_file_says(environment: Environment) -> None:
     """No count differs from the file's by more than chance: Fisher's exact test, corrected for their number."""
-    colonies: dict[str, Colonies] = {}
-    p_values = []
+    aco, p_values = standard_aco(CYCLES), []
     for number, grid in enumerate(maps_of(environment)):
         trials = 200 if number == 0 else 40
-        if grid.moves not in colonies:
-            colonies[grid.moves] = Colonies(grid.moves, 200)
-        fit = Fit.of(environment, colonies[grid.moves].run(grid.obstacles, range(FRESH, FRESH + trials)))
+        results = aco.on(grid).trials(range(FRESH, FRESH + trials))
+        fit = Fit.of(environment, Outcomes.of(result.curve_pairs for result in results))
         told = int(grid.metadata["trials"])
         for key, counts in (("l1", fit.l1), ("l2", fit.l2)):
             for length, count in counts_of(grid.metadata[key]).items():

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from acoexp.grid import path_length
-from acoexp.reconstruct.colonies import Outcomes
 from acoexp.reconstruct.likelihood import log_likelihood, matches, score
+from acoexp.reconstruct.outcomes import Outcomes
 from acoexp.reconstruct.published import ENVIRONMENTS
 
 SHORT, LONG = 30.3848, 33.7990

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 import pytest
 
-from acoexp import Grid
+from acoexp import Grid, Result
 from acoexp.grid import MOVE_RULES
 from acoexp.reconstruct import search as module
-from acoexp.reconstruct.colonies import Colonies
+from acoexp.reconstruct.calibration import standard_aco
 from acoexp.reconstruct.layout import Layout, paint
 from acoexp.reconstruct.published import ENVIRONMENTS
-from acoexp.reconstruct.search import FRESH_BELOW, Search
+from acoexp.reconstruct.search import FRESH_BELOW, SEARCH_CYCLES, Search
+from acoexp.trial.solver import Solver
 
 pytestmark = pytest.mark.slow_without_jit
 
@@ -27,7 +27,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def found(name: str, seed: int, moves: str | None = None, steps: int = 12) -> Layout:
     """Search for so many steps."""
-    return Search(ENVIRONMENTS[name], seed, moves).run(steps, lambda: None)
+    return Search(ENVIRONMENTS[name], seed, moves, standard_aco(SEARCH_CYCLES)).run(steps, lambda: None)
 
 
 @pytest.mark.parametrize("name", ENVIRONMENTS)
@@ -45,18 +45,19 @@ def test_a_map_has_exactly_the_published_optimum(name: str, moves: str) -> None:
 
 
 def test_runs_take_turns_in_the_rule_if_none_is_given() -> None:
-    assert {Search(ENVIRONMENTS["env1"], seed, None).moves for seed in range(3)} == set(MOVE_RULES)
+    aco = standard_aco(SEARCH_CYCLES)
+    assert {Search(ENVIRONMENTS["env1"], seed, None, aco).moves for seed in range(3)} == set(MOVE_RULES)
 
 
 def test_the_search_never_sees_a_fresh_seed_nor_any_seed_twice(monkeypatch: pytest.MonkeyPatch) -> None:
     seen: list[int] = []
-    run = Colonies.run
+    trials = Solver.trials
 
-    def watched(self: Colonies, obstacles: Any, seeds: Iterable[int]) -> Any:
+    def watched(self: Solver, seeds: Iterable[int]) -> Iterator[Result]:
         seen.extend(seeds)
-        return run(self, obstacles, seeds)
+        return trials(self, seeds)
 
-    monkeypatch.setattr(Colonies, "run", watched)
+    monkeypatch.setattr(Solver, "trials", watched)
     found("fig13", 0)
     assert min(seen) >= FRESH_BELOW
     assert len(set(seen)) == len(seen)

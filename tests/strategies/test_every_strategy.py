@@ -10,11 +10,11 @@ from reference import length_of, pair_of
 from samples import as_cells, everything, is_way, optimum_of, random_grid
 
 import acoexp
-from acoexp import registry
-from acoexp.presets import find_preset
-from acoexp.registry import STRATEGY_GROUPS
+from acoexp.registry.entries import entries
+from acoexp.registry.presets import find_preset
+from acoexp.strategies.groups import STRATEGY_GROUPS
 
-STRATEGIES = [(group, name) for group in STRATEGY_GROUPS for name in registry.entries(group)]
+STRATEGIES = [(group, name) for group in STRATEGY_GROUPS for name in entries(group)]
 
 
 @pytest.mark.parametrize(("group", "name"), STRATEGIES, ids=map("-".join, STRATEGIES))

@@ -7,10 +7,9 @@ from typing import Any
 import pytest
 
 from acoexp import Grid, solve
-from acoexp.seeds import parse_seeds
-from acoexp.settings import resolve
-from acoexp.tracking import Setup, Trial
-from acoexp.tracking.setup import flatten
+from acoexp.registry.resolve import resolve
+from acoexp.tracking.setup import Setup, Trial, flatten
+from acoexp.trial.seeds import parse_seeds
 
 CONFIG = {
     "algo": "pdg",
@@ -66,7 +65,9 @@ def test_without_a_configuration_the_settings_themselves_are_the_params() -> Non
 
 
 def test_two_that_say_the_same_in_other_words_are_one_cell() -> None:
-    assert setup(rho=0.5, diffusion={"name": "gaussian", "gamma": 0.01}).cell == setup().cell
+    assert (
+        setup(rho=0.5, diffusion={"name": "gaussian", "gamma": 0.01}).configuration_id == setup().configuration_id
+    )
 
 
 @pytest.mark.parametrize(
@@ -83,7 +84,7 @@ def test_two_that_say_the_same_in_other_words_are_one_cell() -> None:
     ids=str,
 )
 def test_whatever_a_result_depends_on_makes_another_cell(other: dict[str, Any]) -> None:
-    assert setup(**other).cell != setup().cell
+    assert setup(**other).configuration_id != setup().configuration_id
 
 
 def test_seeds_tell_trials_and_batches_apart() -> None:

@@ -8,9 +8,10 @@ from typing import Any
 import pytest
 
 from acoexp.errors import SettingsError
-from acoexp.seeds import parse_seeds
-from acoexp.tracking import NoTracker, open_tracker
-from acoexp.tracking.mlflow_tracker import MlflowTracker
+from acoexp.tracking.mlflow.tracker import MlflowTracker
+from acoexp.tracking.open import open_tracker
+from acoexp.tracking.tracker import NoTracker
+from acoexp.trial.seeds import parse_seeds
 
 
 def test_no_tracking_touches_nothing_and_finds_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import multiply
 from acoexp.colony.problem import Problem
-from acoexp.field import NO_DIRECTION
-from acoexp.grid import SQRT2
+from acoexp.grid.field import NO_DIRECTION
+from acoexp.grid.moves import SQRT2
 from acoexp.parameters import parameter
 from acoexp.strategies.diffusion.source import FORCE_EDGE, KERNELS, SOURCES, Spread
 from acoexp.strategies.part import Diffusion

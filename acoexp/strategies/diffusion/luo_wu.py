@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import deposit, level, multiply
 from acoexp.colony.problem import Problem
-from acoexp.field import NO_DIRECTION
+from acoexp.grid.field import NO_DIRECTION
 from acoexp.parameters import parameter
 from acoexp.strategies.diffusion.gaussian import shares
 from acoexp.strategies.diffusion.source import FORCE_EDGE, KERNELS, SOURCES, Spread

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import deposit, level
 from acoexp.colony.state import NO_WAY_HERE
-from acoexp.field import NO_DIRECTION
+from acoexp.grid.field import NO_DIRECTION
 
 
 class Spread(NamedTuple):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.problem import Problem
-from acoexp.grid import DIRECTIONS
+from acoexp.grid.moves import DIRECTIONS
 from acoexp.parameters import parameter
 from acoexp.strategies.part import Heuristic
 

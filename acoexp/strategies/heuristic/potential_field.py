@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.problem import Problem
-from acoexp.grid import DIRECTIONS
+from acoexp.grid.moves import DIRECTIONS
 from acoexp.parameters import parameter
 from acoexp.strategies.heuristic.goal_distance import GoalDistance
 

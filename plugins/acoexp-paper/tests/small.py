@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
-from acoexp_paper.experiment import builtin_map
-
+from acoexp.registry.load_map import load_map
+from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
-from acoexp.settings import resolve
+from acoexp.runs.batch import kept_trials
+from acoexp.tracking.tracker import NoTracker
+from acoexp.trial.trials import Trials
 
 OWN = {"iterations": 12, "ants": 5}
 TRIALS, ENSEMBLE_TRIALS, MAPS = 20, 10, 2
 
+run_trials = partial(kept_trials, tracker=NoTracker())
 
-def context(folder: Path) -> Context:
+
+def context(folder: Path, trials_of: Callable[..., Trials] = run_trials) -> Context:
     """Return a context with fewer cycles and ants than the paper's, and no store."""
-    return Context("pdg", resolve("pdg", OWN), builtin_map("fig13"), folder)
+    return Context(
+        algo="pdg",
+        preset=resolve("pdg", {}),
+        settings=resolve("pdg", OWN),
+        grid=load_map("fig13", {}),
+        folder=folder,
+        trials_of=trials_of,
+    )

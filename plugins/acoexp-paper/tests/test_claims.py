@@ -12,7 +12,7 @@ from acoexp_paper.statements import CountIs, Every, MeanIs
 from acoexp_paper.verdicts import corrected_p, verdict_over
 from scipy import stats
 
-from acoexp.report.measures import Sample
+from acoexp.compare.measures import Sample
 
 N = 400
 

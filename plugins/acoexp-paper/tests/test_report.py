@@ -21,7 +21,7 @@ from small import ENSEMBLE_TRIALS, MAPS, OWN, TRIALS, context
 
 from acoexp import solve_many
 from acoexp.errors import AcoexpError
-from acoexp.settings import resolve
+from acoexp.registry.resolve import resolve
 
 pytestmark = pytest.mark.slow_without_jit
 

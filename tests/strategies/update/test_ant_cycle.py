@@ -9,8 +9,9 @@ import pytest
 from samples import colony_on, drawn, number_of, problem_on, trails_of
 
 from acoexp.colony.pheromone import level, refresh
-from acoexp.colony.state import Colony, new_trails
+from acoexp.colony.state import Colony
 from acoexp.strategies.update.ant_cycle import AntCycle
+from acoexp.trial.workspace import new_trails
 
 E, NE, N, NW, W, SW, S, SE = range(8)
 

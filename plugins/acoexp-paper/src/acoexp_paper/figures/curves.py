@@ -6,17 +6,17 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import StrMethodFormatter
 
-from acoexp.report.curves import quartiles
-from acoexp.report.measures import Sample
+from acoexp.compare.curves import quartiles
 from acoexp_paper.figures.drawing import COLOURS, new_figure
-from acoexp_paper.published import TITLES, TRIALS
+from acoexp_paper.published.tables import ALGOS, TITLES, TRIALS
+from acoexp_paper.trials.samples import Samples
 
 
-def draw_curves(samples: dict[str, Sample]) -> Figure:
+def draw_curves(samples: Samples) -> Figure:
     """Draw a panel for each of ACO, ACO-PD and ACO-PDG."""
     figure = new_figure(2.9)
     panels = figure.subplots(1, 3, sharey=True)
-    for letter, axes, algo in zip("abc", panels, ("aco", "pd", "pdg"), strict=True):
+    for letter, axes, algo in zip("abc", panels, ALGOS, strict=True):
         sample = samples[algo]
         cycles = np.arange(1, sample.iterations + 1)
         for number, curve in enumerate(sample.curves[:TRIALS]):

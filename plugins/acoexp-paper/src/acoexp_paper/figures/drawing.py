@@ -11,8 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from acoexp.command.pictures import BLUE, GREEN, ORANGE
-from acoexp.grid import Grid
+from acoexp.grid.grid import Grid
+from acoexp.report.palette import BLUE, GREEN, ORANGE
 
 WIDTH = 7.2
 """Inches; two columns of a journal."""

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter, StrMethodFormatter
 
-from acoexp.report.measures import Sample
+from acoexp.compare.statistics import Values
 from acoexp_paper.figures.drawing import COLOURS, DASHES, HATCHES, WIDTH, new_figure
-from acoexp_paper.published import TITLES
+from acoexp_paper.published.tables import ALGOS, TITLES
+from acoexp_paper.trials.samples import Samples
 
-ALGOS = ("aco", "pd", "pdg")
 _COMMONEST = 7
+_BAR = 0.27
 
 
-def draw_lost(lost: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]], ants: int) -> Figure:
+def draw_lost(lost: Mapping[str, Values], ants: int) -> Figure:
     """Draw the mean number of ants lost in each cycle; by algorithm, float[iterations]."""
     figure, axes = _panel()
     for algo, means in lost.items():
@@ -27,7 +29,7 @@ def draw_lost(lost: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]]
     return _finish(figure, axes)
 
 
-def draw_iterations(samples: dict[str, Sample]) -> Figure:
+def draw_iterations(samples: Samples) -> Figure:
     """Draw the share of trials that have found the optimum by each cycle."""
     figure, axes = _panel()
     for algo in ALGOS:
@@ -41,28 +43,33 @@ def draw_iterations(samples: dict[str, Sample]) -> Figure:
     return _finish(figure, axes)
 
 
-def draw_lengths(samples: dict[str, Sample]) -> Figure:
+def draw_lengths(samples: Samples) -> Figure:
     """Draw the share of trials that converge to each of the commonest lengths, the others together."""
     counts = {algo: Counter(np.round(samples[algo].features["l2"], 4).tolist()) for algo in ALGOS}
-    total_of = sum(counts.values(), Counter())
-    commonest = sorted(total_of, key=lambda length: (-total_of[length], length))[:_COMMONEST]
-    shown = sorted({round(samples["aco"].optimum, 4), *(length for length in commonest if not np.isnan(length))})
+    lengths = _commonest(counts, round(samples["aco"].optimum, 4))
     figure = new_figure(2.9)
     axes = figure.subplots()
-    width = 0.27
     for place, algo in enumerate(ALGOS):
-        total = samples[algo].found.size
-        share = [counts[algo][length] / total for length in shown]
+        share = [counts[algo][length] / samples[algo].found.size for length in lengths]
         share.append(1.0 - sum(share))
         axes.bar(
-            np.arange(len(share)) + (place - 1) * width, np.abs(np.round(share, 12)), width, color=COLOURS[algo],
+            np.arange(len(share)) + (place - 1) * _BAR, np.abs(np.round(share, 12)), _BAR, color=COLOURS[algo],
             hatch=HATCHES[algo], edgecolor="white", linewidth=0.5, label=TITLES[algo],
         )  # fmt: skip
-    axes.set_xticks(np.arange(len(shown) + 1), [*(f"{length:.4f}" for length in shown), "others"], fontsize=7.5)
+    axes.set_xticks(
+        np.arange(len(lengths) + 1), [*(f"{length:.4f}" for length in lengths), "others"], fontsize=7.5
+    )
     axes.set(xlabel="length of convergence l2 (cells); the first is the optimum", ylabel="trials")
     axes.yaxis.set_major_formatter(PercentFormatter(1.0))
     axes.legend(frameon=False, fontsize=8)
     return figure
+
+
+def _commonest(counts: Mapping[str, Counter[float]], optimum: float) -> list[float]:
+    """Return the lengths that most trials of all algorithms converge to, and the optimum, in their order."""
+    total = sum(counts.values(), Counter[float]())
+    commonest = sorted(total, key=lambda length: (-total[length], length))[:_COMMONEST]
+    return sorted({optimum, *(length for length in commonest if not np.isnan(length))})
 
 
 def _panel() -> tuple[Figure, Axes]:

@@ -9,13 +9,14 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from acoexp.grid import DIRECTIONS, Grid
-from acoexp.settings import Settings
-from acoexp.solver import Solver
+from acoexp.grid.grid import Grid
+from acoexp.grid.moves import DIRECTIONS
+from acoexp.trial.settings import Settings
+from acoexp.trial.solver import Solver
 from acoexp_paper.figures.drawing import frame, new_figure
 
 CYCLES = (6, 8, 10)
-_DECADES = 4
+_LOWEST = 1e-4
 
 
 def levels(grid: Grid, settings: Settings, seed: int, cycle: int) -> NDArray[np.float64]:
@@ -36,10 +37,8 @@ def draw_pheromone(grid: Grid, settings: Settings, seed: int) -> Figure:
     panels = figure.subplots(1, len(CYCLES))
     edges = np.arange(grid.shape[1] + 1) - 0.5, np.arange(grid.shape[0] + 1) - 0.5
     for axes, cycle in zip(panels, CYCLES, strict=True):
-        shown = np.ma.masked_where(
-            grid.obstacles, np.maximum(levels(grid, settings, seed, cycle), 10.0**-_DECADES)
-        )
-        norm = LogNorm(10.0**-_DECADES, 1.0)
+        shown = np.ma.masked_where(grid.obstacles, np.maximum(levels(grid, settings, seed, cycle), _LOWEST))
+        norm = LogNorm(_LOWEST, 1.0)
         picture = axes.pcolormesh(*edges, shown, cmap="cividis", norm=norm, edgecolors="face", linewidth=0.2)
         axes.set_facecolor("0.75")
         frame(axes, grid)

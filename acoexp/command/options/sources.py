@@ -1,0 +1,148 @@
+"""Where Hydra reads options from: folders of a user's or a package's own, checked, and what workers remember."""
+
+from __future__ import annotations
+
+import re
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+from hydra.core.config_loader import ConfigLoader
+from hydra.core.object_type import ObjectType
+from hydra.errors import HydraException
+from hydra.plugins.config_source import ConfigLoadError, ConfigResult, ConfigSource
+from omegaconf import OmegaConf
+from yaml import YAMLError
+
+from acoexp.registry.folders import plugin_conf_dirs
+from acoexp.registry.presets import find_preset
+
+_RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
+_OURS = ("config", "settings")
+
+
+class UserOptions(ConfigSource):
+    """A folder with option files: settings of ours, and nothing that makes the program run code."""
+
+    def __init__(self, provider: str, path: str) -> None:
+        super().__init__(provider=provider, path=path)
+        self._folder = Path(self.path)
+
+    @staticmethod
+    def scheme() -> str:
+        """Return what an address of this kind begins with."""
+        return "options"
+
+    def load_config(self, config_path: str) -> ConfigResult:
+        """Read a file and refuse it if it reaches for Hydra's own settings or for code."""
+        if config_path in _OURS:
+            raise HydraException(
+                f"{self._folder / config_path}.yaml: expected options in folders, such as algo/{config_path}; "
+                "this name is the program's own"
+            )
+        if self._folder in plugin_conf_dirs() and Path(config_path).parent == Path("algo"):
+            find_preset(Path(config_path).name)  # refuses it as it does in Python
+        result = self._read(self._folder / self._normalize_file_name(config_path))
+        content = OmegaConf.to_container(result.config, resolve=False)
+        where = f"{config_path} {result.header.get('package') or ''}"
+        if _RUNS_CODE.search(where) or _reaches_out(content):
+            raise HydraException(
+                f"{self._folder / config_path}.yaml: expected settings of acoexp only; an option file may not "
+                "set hydra.* or _target_, which run code"
+            )
+        return result
+
+    def _read(self, file: Path) -> ConfigResult:
+        if not file.is_file():
+            raise ConfigLoadError(f"Config not found : {file}")
+        try:
+            text = file.read_text(encoding="utf-8")
+            header = self._get_header_dict(text[:512])
+            return ConfigResult(
+                provider=self.provider, path=self.full_path(), config=OmegaConf.create(text), header=header
+            )
+        except (YAMLError, UnicodeDecodeError) as problem:
+            raise HydraException(f"{file}: expected YAML; {' '.join(str(problem).split())}") from problem
+
+    def is_group(self, config_path: str) -> bool:
+        """Tell whether there is such a folder."""
+        return (self._folder / config_path).is_dir()
+
+    def is_config(self, config_path: str) -> bool:
+        """Tell whether there is such a file."""
+        return (self._folder / self._normalize_file_name(config_path)).is_file()
+
+    def available(self) -> bool:
+        """Tell whether the folder is there."""
+        return self._folder.is_dir()
+
+    def list(self, config_path: str, results_filter: ObjectType | None) -> list[str]:
+        """Return the names of what a folder has, sorted."""
+        found: list[str] = []
+        for file in (self._folder / config_path).iterdir():
+            self._list_add_result(found, str(Path(config_path, file.name)), file.name, results_filter)
+        return sorted(set(found))
+
+
+def _reaches_out(content: Any, in_defaults: bool = False) -> bool:
+    """Tell whether a file's content, or its defaults list, names ``_target_`` or anything of Hydra's."""
+    if isinstance(content, dict):
+        return any(
+            _RUNS_CODE.search(str(key)) or _reaches_out(value, str(key) == "defaults")
+            for key, value in content.items()
+        )
+    if isinstance(content, list):
+        return any(_reaches_out(item, in_defaults) for item in content)
+    return in_defaults and _RUNS_CODE.search(str(content)) is not None
+
+
+def remember_options(loader: ConfigLoader) -> None:
+    """Let a config loader remember from now on what it reads from folders, and take it along to workers."""
+    sources = loader.get_sources()
+    folders = ("file", UserOptions.scheme())
+    sources[:] = [Remembered(source) if source.scheme() in folders else source for source in sources]
+
+
+class Remembered(ConfigSource):
+    """A folder of options that is asked for each thing once; for what was asked, nobody needs the folder."""
+
+    def __init__(self, folder: ConfigSource) -> None:
+        self.provider, self.path = folder.provider, folder.path
+        self._folder = folder
+        self._answers: dict[tuple[Any, ...], Any] = {}
+
+    def __deepcopy__(self, _: Any) -> Remembered:
+        """Return itself: Hydra composes each job from a copy of its sources, whose memory would be lost."""
+        return self
+
+    @staticmethod
+    def scheme() -> str:
+        """Return what the address of a folder begins with."""
+        return "file"
+
+    def load_config(self, config_path: str) -> ConfigResult:
+        """Return an option."""
+        result: ConfigResult = self._ask("load_config", config_path)
+        return result
+
+    def is_group(self, config_path: str) -> bool:
+        """Tell whether there is such a group."""
+        return bool(self._ask("is_group", config_path))
+
+    def is_config(self, config_path: str) -> bool:
+        """Tell whether there is such an option."""
+        return bool(self._ask("is_config", config_path))
+
+    def available(self) -> bool:
+        """Tell whether the folder is, or was, there."""
+        return bool(self._ask("available"))
+
+    def list(self, config_path: str, results_filter: ObjectType | None) -> list[str]:
+        """Return the names of what a group has."""
+        return [*self._ask("list", config_path, results_filter)]
+
+    def _ask(self, *question: Any) -> Any:
+        if question not in self._answers:
+            method, *arguments = question
+            self._answers[question] = getattr(self._folder, method)(*arguments)
+        return deepcopy(self._answers[question])

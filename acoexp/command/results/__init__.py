@@ -1,0 +1,1 @@
+"""What jobs leave behind, and what a person sees of it: records, the table, pictures, progress."""

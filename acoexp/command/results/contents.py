@@ -1,0 +1,62 @@
+"""Recording: what a record says of a trial, of a batch, and of a run that was found in the store."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from acoexp.tracking.setup import Found, Setup, Trial
+from acoexp.trial.batch import Batch
+from acoexp.trial.features import NAMES
+from acoexp.trial.seeds import Seeds
+from acoexp.trial.table import Aggregates, aggregate
+
+
+def trial_record(trial: Trial, seconds: float) -> dict[str, Any]:
+    """Return the record of a trial that took so many seconds."""
+    return {
+        **trial.result.as_dict(),
+        "seconds": seconds,
+        "configuration_id": trial.setup.configuration_id,
+        "config": trial.params,
+    }
+
+
+def batch_record(setup: Setup, seeds: Seeds, batch: Batch) -> dict[str, Any]:
+    """Return the record of a batch with at least one finished trial."""
+    summary = aggregate(batch.table, setup.grid.optimum, setup.settings.scalars.iterations)
+    return {
+        **_head(setup),
+        "config": {**setup.params, "seeds": str(seeds)},
+        **summary._asdict(),
+        "failed": len(batch.failures),
+        "ran": batch.ran,
+        "seconds": batch.seconds / batch.ran if batch.ran else None,
+    }
+
+
+def found_record(setup: Setup, found: Found) -> dict[str, Any]:
+    """Return the record of a run that was found in the store."""
+    metrics = found.metrics
+    record = {**_head(setup), "config": dict(found.params), "seconds": None}
+    if "seeds" not in found.params:
+        values = {name: metrics.get(name) for name in NAMES}
+        return {**record, **values, "seed": found.params["seed"]}
+    summary = Aggregates(
+        trials=found.trials,
+        never_arrived=int(metrics["never_arrived"]),
+        success_rate=metrics["success_rate"],
+        expected_cycles=metrics.get("expected_cycles", math.nan),
+        means={name: metrics.get(name, math.nan) for name in NAMES},
+        deviations={name: metrics.get(f"{name}_sd", math.nan) for name in NAMES},
+    )
+    return {**record, **summary._asdict()}
+
+
+def _head(setup: Setup) -> dict[str, Any]:
+    return {
+        "algo": setup.settings.label,
+        "map": setup.grid.name,
+        "configuration_id": setup.configuration_id,
+        "optimum": setup.grid.optimum,
+    }

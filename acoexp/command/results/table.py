@@ -1,0 +1,123 @@
+"""What a person sees at the end: a trial's features, or a sweep's table, each mean with its spread below."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+
+from acoexp.command.results.records import TRIAL, read_record
+from acoexp.command.results.rows import Row, rows_of
+
+_NOT_VARIED = {"algo", "map.name", "seed", "seeds"}
+
+
+def print_trial(folder: Path, where: str) -> None:
+    """Print what one trial found."""
+    (row,) = rows_of([read_record(folder / TRIAL)])
+    console = _console()
+    console.print(_table([row], spread=False))
+    _warn_of_lost(console, [row])
+    console.print(f"files: {folder}\nrun:   {where}", highlight=False, soft_wrap=True)
+
+
+def print_sweep(records: Sequence[Mapping[str, Any]], folder: Path, where: str, ended: str) -> None:
+    """Print one row for each configuration of a sweep, whatever its seeds.
+
+    Args:
+        records: Of all trials and batches.
+        folder: The sweep's folder.
+        where: Where the runs are.
+        ended: What is said of the sweep's end.
+    """
+    rows = rows_of(records)
+    console = _console()
+    if rows:
+        console.print(_table(rows, spread=True))
+    _warn_of_lost(console, rows)
+    console.print(f"{ended}\nfiles: {folder}\nruns:  {where}", highlight=False, soft_wrap=True)
+
+
+def print_report(folder: Path, headline: Sequence[Sequence[str]]) -> None:
+    """Print a report's short table, and where the report lies."""
+    console = _console()
+    if headline:
+        table = Table(*headline[0], box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
+        for row in headline[1:]:
+            table.add_row(*row)
+        console.print(table)
+    console.print(f"report: {folder}", highlight=False, soft_wrap=True)
+
+
+def _warn_of_lost(console: Console, rows: Sequence[Row]) -> None:
+    """Say it where ants never arrived: a dash alone does not tell why."""
+    never, trials = sum(row.summary.never_arrived for row in rows), sum(row.summary.trials for row in rows)
+    if never:
+        console.print(f"in {never} of {trials} trials no ant ever reached the goal: all were lost on the way")
+
+
+def _console() -> Console:
+    """Return standard output; what is no terminal has no width at which a table would have to be cut."""
+    console = Console()
+    return console if console.is_terminal else Console(width=1000)
+
+
+def _table(rows: Sequence[Row], spread: bool) -> Table:
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
+    varied = _varied([row.config for row in rows])
+    headings = ["algo", "map", *varied, "x1", "x2", "x3", "l1", "l2", "optimum", "gap", "lost"]
+    if spread:
+        headings += ["found", "ms"]
+    for heading in headings:
+        table.add_column(heading, justify="left" if heading in ("algo", "map") else "right", no_wrap=True)
+    for row in rows:
+        table.add_row(*_texts(row, varied, spread))
+    return table
+
+
+def _texts(row: Row, varied: Sequence[str], spread: bool) -> list[str]:
+    means, deviations = row.summary.means, row.summary.deviations
+
+    def shown(name: str, digits: int) -> str:
+        return _mean(means[name], deviations[name], digits)
+
+    digits = 1 if spread else 0
+    percent = 100.0 / row.optimum
+    gap = _mean(percent * (means["l1"] - row.optimum), percent * deviations["l1"], 2, unit=" %")
+    texts = [row.algo, row.map, *(row.config.get(key, "") for key in varied)]
+    texts += [*(shown(n, digits) for n in ("x1", "x2", "x3")), *(shown(n, 4) for n in ("l1", "l2"))]
+    texts += [f"{row.optimum:.4f}", gap, shown("lost_ants", digits)]
+    if spread:
+        texts += [f"{row.found}/{row.summary.trials}", _mean(row.milliseconds, math.nan, 1)]
+    return texts
+
+
+def _mean(mean: float, deviation: float, digits: int, unit: str = "") -> str:
+    """Return a mean and, below it, the sample's standard deviation, where there are any."""
+    if math.isnan(mean):
+        return "-"
+    text = f"{round(mean, 9) + 0.0:.{digits}f}{unit}"  # no minus before a zero
+    if math.isnan(deviation):
+        return text
+    return f"{text}\n{_plus_minus()}{deviation:.{min(digits, 2)}f}{' ' * len(unit)}"
+
+
+def _plus_minus() -> str:
+    try:
+        "±".encode(sys.stdout.encoding or "ascii")
+    except UnicodeEncodeError:
+        return "+-"
+    return "±"
+
+
+def _varied(configs: Sequence[Mapping[str, str]]) -> list[str]:
+    """Return the keys in which rows differ, besides algorithm and map; the parts only where both are alike."""
+    keys = sorted({key for config in configs for key in config} - _NOT_VARIED)
+    if len({(c["algo"], c["map.name"]) for c in configs}) == len(configs):
+        return []
+    return [key for key in keys if len({config.get(key, "") for config in configs}) > 1]

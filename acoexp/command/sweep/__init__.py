@@ -1,0 +1,1 @@
+"""A sweep: planned and checked before its jobs run; Hydra calls here."""

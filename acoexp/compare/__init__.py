@@ -1,0 +1,1 @@
+"""The report ``compare``: any two or more configurations on any maps, side by side."""

@@ -1,0 +1,117 @@
+"""The tables that a person reads: features, success, and pairs, each number with its spread or interval."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from acoexp.compare.measures import Row
+
+
+class Table(NamedTuple):
+    """A table of texts.
+
+    Attributes:
+        title: Its title.
+        note: What its numbers are.
+        headings: One per column.
+        rows: Its rows.
+    """
+
+    title: str
+    note: str
+    headings: list[str]
+    rows: list[list[str]]
+
+
+def tables_of(rows: Sequence[Row], pairs: Sequence[Row]) -> list[Table]:
+    """Return the report's tables from its rows."""
+    return [features_table(rows), success_table(rows), pairs_table(pairs)]
+
+
+def features_table(rows: Sequence[Row]) -> Table:
+    """Return the features, mean ± standard deviation."""
+    digits = {"x1": 1, "x2": 1, "x3": 1, "l1": 4, "l2": 4, "lost_ants": 1}
+    note = (
+        "Mean ± standard deviation over trials. x1, x2, x3: cycles; l1, l2, optimum: cells; lost ants: per trial. "
+        "A trial without a value is left out of that mean."
+    )
+    texts = [
+        [row["map"], row["cell"], *(_spread(row, name, d) for name, d in digits.items()), f"{row['optimum']:.4f}"]
+        for row in rows
+    ]
+    return Table("Features", note, ["map", "cell", "x1", "x2", "x3", "l1", "l2", "lost ants", "optimum"], texts)
+
+
+def success_table(rows: Sequence[Row]) -> Table:
+    """Return how often and how soon the exact optimum was found."""
+    note = (
+        "Trials that found the exact optimum, their share with Wilson's interval, and the expected running time: "
+        "cycles spent by all trials per success, with its bootstrap interval. All intervals are at 95 %."
+    )
+    texts = [
+        [
+            row["map"],
+            row["cell"],
+            f"{row['found']}/{row['trials']}",
+            interval(row["success"], row["success_low"], row["success_high"]),
+            interval(row["ert"], row["ert_low"], row["ert_high"]),
+        ]
+        for row in rows
+    ]
+    headings = ["map", "cell", "found", "success rate", "expected running time (cycles)"]
+    return Table("Success", note, headings, texts)
+
+
+def pairs_table(pairs: Sequence[Row]) -> Table:
+    """Return effect sizes, tests and verdicts."""
+    note = (
+        "A12: probability that a trial of a does better than one of b, ties counted half; bootstrap interval over "
+        "seeds. Odds ratio of success: above 1 if a succeeds more often; exact interval. Tests pair the trials "
+        "with the same seed: the exact sign test, for success McNemar's. Hitting time: x1 of trials "
+        "that found the optimum, the others rank behind. Holm: p corrected for all tests of this table; verdicts "
+        "at 5 %."
+    )
+    rows = [
+        [
+            *(row[key] for key in ("map", "a", "b", "measure", "effect")),
+            interval(row["value"], row["low"], row["high"]),
+            row["test"],
+            _probability(row["p"]),
+            _probability(row["p_holm"]),
+            row["verdict"],
+        ]
+        for row in pairs
+    ]
+    headings = ["map", "a", "b", "measure", "effect", "size", "test", "p", "p (Holm)", "verdict"]
+    return Table("Pairs", note, headings, rows)
+
+
+def interval(value: float, low: float, high: float) -> str:
+    """Return a number with its interval, such as ``0.60 [0.58, 0.62]``."""
+    if np.isnan(low) or np.isnan(high):
+        return number(value)
+    return f"{number(value)} [{number(low)}, {number(high)}]"
+
+
+def number(value: float) -> str:
+    """Return a number with three digits that matter; a dash where there is none."""
+    if np.isnan(value):
+        return "-"
+    if np.isinf(value):
+        return "∞"
+    whole = max(1, int(np.floor(np.log10(value))) + 1) if value >= 1.0 else 1
+    return f"{value:.{max(0, 3 - whole)}f}"
+
+
+def _spread(row: Row, name: str, digits: int) -> str:
+    mean, deviation = row[name], row[f"{name}_sd"]
+    if np.isnan(mean):
+        return "-"
+    return f"{mean:.{digits}f}" if np.isnan(deviation) else f"{mean:.{digits}f} ± {deviation:.{min(digits, 2)}f}"
+
+
+def _probability(p: float) -> str:
+    return "< 0.001" if p < 0.001 else f"{p:.3f}"

@@ -1,0 +1,43 @@
+"""How a command ends: what is wrong in one line on standard error, and a status that a script can read."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from acoexp.errors import AcoexpError
+
+FAILED, INTERRUPTED = 1, 130
+"""Exit statuses: anything that is wrong; Ctrl-C, as a shell has it."""
+
+
+def describe(problem: Exception) -> str | None:
+    """Return what is said of an error; None for one that nobody foresaw, which needs its traceback."""
+    return str(problem) if isinstance(problem, AcoexpError | OSError) else None
+
+
+@contextmanager
+def ends_cleanly(interrupted: str, describe: Callable[[Exception], str | None] = describe) -> Iterator[None]:
+    """End the program with one line and a status if anything within is wrong.
+
+    Args:
+        interrupted: What is said after Ctrl-C of what had been done by then.
+        describe: Returns what is said of an error, or None where it is raised instead.
+    """
+    try:
+        yield
+    except KeyboardInterrupt:
+        print(f"acoexp: interrupted; {interrupted}", file=sys.stderr)
+        sys.exit(INTERRUPTED)
+    except Exception as problem:
+        message = describe(problem)
+        if message is None:
+            raise
+        print_error(message)
+        sys.exit(FAILED)
+
+
+def print_error(message: str) -> None:
+    """Print what is wrong as one line."""
+    print(f"acoexp: error: {' '.join(message.split())}", file=sys.stderr)

@@ -1,0 +1,1 @@
+"""``python -m acoexp.merge``: finished runs of other stores are brought into one."""

@@ -1,0 +1,1 @@
+"""Who offers which part, preset and map, and from a name to the thing."""

@@ -1,0 +1,1 @@
+"""The only place where solving meets keeping: a trial, and a batch."""

@@ -1,0 +1,166 @@
+"""One run in the store: written piece by piece, finished at the end, and alone of its identity then."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from secrets import token_hex
+from typing import TYPE_CHECKING
+
+from acoexp.tracking.mlflow.owner import this_process
+from acoexp.tracking.mlflow.store import Store
+
+if TYPE_CHECKING:
+    from mlflow.entities import Metric, Run
+
+LONGEST_PARAM = 500
+"""Characters of a parameter that every MLflow store keeps; a longer one goes to an artifact."""
+LARGEST_BATCH = 1000
+"""Metrics that MLflow takes in one call."""
+
+IDENTITY, CONFIGURATION, KIND = "identity", "cell", "kind"
+"""Tags: what the run is of; which configuration on which map; ``trial`` or ``batch``. They keep their names, as
+stores that were written before have them."""
+OWNER, WRITER, ALIVE = "owner", "writer", "alive"
+"""Tags: which process writes the run, by which of its writers, and when it last did, in milliseconds."""
+REPLACES = "anew"
+"""Tag of a run that takes the place of what is there: when it began, in milliseconds."""
+REASON = "reason"
+"""Tag: why the run has failed."""
+
+
+class RunWriter:
+    """A run that is being written."""
+
+    def __init__(
+        self,
+        store: Store,
+        name: str,
+        params: Mapping[str, str],
+        tags: Mapping[str, str],
+        *,
+        replace: bool = False,
+        started: int | None = None,
+    ) -> None:
+        """Begin a run.
+
+        Args:
+            store: Where.
+            name: What it is called.
+            params: Its configuration, flattened.
+            tags: What is known of it besides; ``IDENTITY`` among it.
+            replace: Whether it takes the place of a finished run of its identity.
+            started: When it began, in milliseconds since 1970; now, if that is not said.
+        """
+        self._store = store
+        self._name, self._params, self._tags = name, params, tags
+        self._started = int(_now()) if started is None else started
+        if replace:
+            self._tags = {**tags, REPLACES: _now()}
+        self._token = token_hex(8)
+        self._finished = False
+        self._run_id: str | None = None
+
+    def begin(self, metrics: Sequence[Metric] = ()) -> None:
+        """Create the run with its parameters, and with metrics where there are any yet."""
+        from mlflow.entities import Param
+
+        long = {key: value for key, value in self._params.items() if len(value) > LONGEST_PARAM}
+        params = [Param(key, value) for key, value in self._params.items() if key not in long]
+        client = self._store.client
+        self.do(lambda run_id: client.log_batch(run_id, metrics[:LARGEST_BATCH], params))
+        self.log_metrics(metrics[LARGEST_BATCH:])
+        for key, value in long.items():
+            self.log_text(value, f"params/{key}.txt")
+
+    def log_metrics(self, metrics: Sequence[Metric]) -> None:
+        """Keep metrics, however many."""
+        for first in range(0, len(metrics), LARGEST_BATCH):
+            part = metrics[first : first + LARGEST_BATCH]
+            self.do(lambda run_id, part=part: self._store.client.log_batch(run_id, part))  # type: ignore[misc]
+
+    def log_text(self, text: str, name: str) -> None:
+        """Keep a text as an artifact."""
+        self.do(lambda run_id: self._store.client.log_text(run_id, text, name))
+
+    def log_file(self, file: Path, folder: str | None) -> None:
+        """Keep a file as an artifact in a folder."""
+        self.do(lambda run_id: self._store.client.log_artifact(run_id, str(file), folder))
+
+    def heartbeat(self) -> None:
+        """Note that the process that writes this run is at work."""
+        self.do(lambda run_id: self._store.client.set_tag(run_id, ALIVE, _now()))
+
+    def finish(self, ended: int | None = None) -> None:
+        """Say that the run is finished, and see to it that it is the only one of its identity."""
+        self.do(lambda run_id: self._store.client.set_terminated(run_id, "FINISHED", ended))
+        self._finished = True
+        self.do(self._keep_only_this)
+
+    def fail(self, reason: str) -> None:
+        """Say that the run has failed, and why."""
+        self.do(lambda run_id: mark_failed(self._store, run_id, reason))
+
+    def abort(self, reason: str) -> None:
+        """Mark the run as failed if the store takes that at once, unless it is finished; for hasty ends."""
+        if self._run_id is not None and not self._finished:
+            with suppress(Exception):
+                mark_failed(self._store, self._run_id, reason)
+
+    def do(self, action: Callable[[str], object]) -> None:
+        """Do something with the run, given its id, again and again while the store is away."""
+
+        def with_run() -> None:
+            if self._run_id is None:
+                tags = {**self._tags, OWNER: this_process(), WRITER: self._token, ALIVE: _now()}
+                run = self._store.client.create_run(self._store.experiment_id, self._started, tags, self._name)
+                self._run_id = run.info.run_id
+            action(self._run_id)
+
+        self._store.with_retries(with_run, "does not take a trial")
+
+    def _keep_only_this(self, run_id: str) -> None:
+        """See to it that this is the only finished run of its identity, and the only one of this writer."""
+        same = self._store.search(f"tags.{IDENTITY} = '{self._tags[IDENTITY]}'")
+        keep_one(self._store, [run for run in same if run.info.status == "FINISHED"])
+        for run in same:
+            mine = run.data.tags.get(WRITER) == self._token
+            if mine and run.info.status == "RUNNING":  # made by a call whose answer was lost
+                _delete(self._store, run.info.run_id)
+            if run.info.run_id == run_id and REASON in run.data.tags:  # it had been taken for left behind
+                self._store.client.delete_tag(run_id, REASON)
+
+
+def keep_one(store: Store, finished: Sequence[Run]) -> Run:
+    """Of the finished runs of one identity leave one, and return it: the newest that replaces, else the oldest.
+
+    All who look agree on the one that stays, and whoever finishes last sees all of them.
+    """
+    stays = max(finished, key=lambda r: (r.data.tags.get(REPLACES, ""), -r.info.start_time, r.info.run_id))
+    for run in finished:
+        if run is not stays:
+            _delete(store, run.info.run_id)
+    return stays
+
+
+def mark_failed(store: Store, run_id: str, reason: str) -> None:
+    """Mark a run as failed that has not been finished, and say why."""
+    store.client.set_tag(run_id, REASON, reason)
+    store.client.set_terminated(run_id, "FAILED")
+
+
+def _delete(store: Store, run_id: str) -> None:
+    """Delete a run, unless another process has done so already."""
+    from mlflow.exceptions import MlflowException
+
+    try:
+        store.client.delete_run(run_id)
+    except MlflowException as problem:
+        if problem.error_code not in ("INVALID_PARAMETER_VALUE", "RESOURCE_DOES_NOT_EXIST"):
+            raise
+
+
+def _now() -> str:
+    return str(int(time.time() * 1000))

@@ -1,0 +1,1 @@
+"""All that a result depends on: settings, seed, preparation, solver, result, failures, tables."""

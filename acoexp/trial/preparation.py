@@ -1,0 +1,93 @@
+"""Preparation: what a colony's parts are asked for before the first cycle, each answer checked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony import diagnosis
+from acoexp.colony.problem import Problem
+from acoexp.colony.state import Own, Prepared
+from acoexp.errors import AcoexpError, StrategyError
+from acoexp.trial.settings import Settings
+
+DESIRABILITY_LIMIT = 1e200
+"""eta^beta is cut off here: with pheromone's own bound, no sum of weights overflows."""
+
+
+def prepare(problem: Problem, settings: Settings) -> Prepared:
+    """Ask the parts for what they prepare.
+
+    Raises:
+        StrategyError: if a part fails, or answers with what is not asked for.
+    """
+    asked = _Asked(problem, settings)
+    own = Own(*(asked.for_state(group) for group in Own._fields))
+    return Prepared(asked.for_desirability(), asked.for_initial_pheromone(), own)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    problem: Problem
+    settings: Settings
+
+    def for_state(self, group: str) -> Any:
+        state = self._answer(group, "prepare")
+        _check_state(state, self.settings.describe(group))
+        return state
+
+    def for_desirability(self) -> NDArray[np.float64]:
+        allowed = self.problem.allowed_edges()
+        eta = self._per_move("heuristic", "eta", allowed)
+        with np.errstate(over="ignore"):
+            power = np.power(eta, self.settings.scalars.beta, where=allowed, out=np.zeros(eta.shape))
+        return self.problem.per_edge(np.minimum(power, DESIRABILITY_LIMIT), border=0.0)
+
+    def for_initial_pheromone(self) -> NDArray[np.float64]:
+        initial = self._per_move("update", "initial", self.problem.allowed_edges())
+        if initial.strides == (0, 0, 0):  # one level, broadcast
+            return initial[0, 0, :1].copy()
+        if self.settings.scalars.pheromone == "cells":
+            initial = self.problem.shared_by_target(initial)
+        return self.problem.per_edge(initial, border=0.0)
+
+    def _per_move(self, group: str, method: str, allowed: NDArray[np.bool_]) -> NDArray[np.float64]:
+        """Ask a part for a number per move, float64[rows, cols, 8], and check it."""
+        given = self._answer(group, method)
+        problem = f"{self.settings.describe(group)}: expected {method} to return numbers"
+        try:
+            values = np.broadcast_to(np.asarray(given, dtype=np.float64), allowed.shape)
+        except (TypeError, ValueError) as reason:
+            came = f"{type(given).__name__} of shape {np.shape(given)}"
+            raise StrategyError(f"{problem} of a shape that broadcasts to {allowed.shape}; got {came}") from reason
+        if not (np.isfinite(values[allowed]).all() and (values[allowed] >= 0.0).all()):
+            raise StrategyError(f"{problem} that are finite, and at least 0, on every move; got others")
+        return values
+
+    def _answer(self, group: str, method: str) -> Any:
+        """Call a part's method with the problem; an error in it names the part and the author's line."""
+        try:
+            return getattr(self.settings.parts[group], method)(self.problem)
+        except AcoexpError:
+            raise
+        except Exception as problem:
+            what = f"{type(problem).__name__}: {problem}"
+            place = diagnosis.raised_at(problem, diagnosis.sources_of(self.settings.parts[group]))
+            raise StrategyError(
+                f"{self.settings.describe(group)} failed in {method}: {what}{diagnosis.at(place)}"
+            ) from problem
+
+
+def _check_state(state: Any, described: str) -> None:
+    """Refuse what no kernel can take as a part's own state: anything but a tuple of numbers and arrays."""
+    expected = f"{described}: expected prepare to return a tuple of numbers and arrays"
+    if not isinstance(state, tuple):
+        raise StrategyError(f"{expected}; got {type(state).__name__}")
+    for place, value in enumerate(state):
+        number = isinstance(value, np.number | np.bool_ | int | float | complex)
+        array = isinstance(value, np.ndarray) and value.dtype.kind in "biufc"
+        if not (number or array):
+            raise StrategyError(f"{expected}; got {type(value).__name__} at place {place}")

@@ -1,0 +1,157 @@
+"""The result of a trial: the path, checked move by move, and everything that is measured on its way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.grid.grid import Grid
+from acoexp.grid.moves import follow
+from acoexp.trial.features import Features, curve_of, features_of, without_nan, x2_last
+
+Pair = tuple[int, int]
+"""A length as (straight, diagonal) moves, exact."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Result:
+    """What one trial found.
+
+    Attributes:
+        algo: Label of the algorithm, ``custom`` if its parts are not a preset's.
+        seed: The trial's seed.
+        grid: The map.
+        moves: uint8[n], the directions of the run's best path; None when no ant ever arrived.
+        raw_moves: Those of that path as the ant walked it, where a post-optimiser worked; else None.
+        curve_pairs: int[iterations, 2], (straight, diagonal) moves of the best path found in each cycle; -1
+            where all ants were lost.
+        lost_ants: int[iterations], ants lost in each cycle.
+        ant_steps: Moves made by all ants together.
+    """
+
+    algo: str
+    seed: int
+    grid: Grid
+    moves: NDArray[np.uint8] | None
+    raw_moves: NDArray[np.uint8] | None
+    curve_pairs: NDArray[np.int32]
+    lost_ants: NDArray[np.int32]
+    ant_steps: int
+
+    @cached_property
+    def path(self) -> NDArray[np.int64] | None:
+        """The run's best path as cells (row, column), int[n, 2]; None when no ant ever arrived."""
+        return None if self.moves is None else follow(self.grid.start, self.moves)
+
+    @cached_property
+    def raw_path(self) -> NDArray[np.int64] | None:
+        """That path as the ant walked it, where a post-optimiser worked; else None."""
+        return None if self.raw_moves is None else follow(self.grid.start, self.raw_moves)
+
+    @cached_property
+    def curve(self) -> NDArray[np.float64]:
+        """Best length found in each cycle, float[iterations]; nan where all ants were lost."""
+        return curve_of(self.curve_pairs)
+
+    @cached_property
+    def features(self) -> Features:
+        """The features of the curve."""
+        return features_of(self.curve)
+
+    @property
+    def x1(self) -> int:
+        """First cycle that found the run's best length; 0 if there is none."""
+        return self.features.x1
+
+    @property
+    def x2(self) -> int:
+        """First cycle that found it twice in a row, or else the last that found it; 0 if there is none."""
+        return self.features.x2
+
+    @property
+    def x2_last(self) -> int:
+        """``x2`` in its other reading: the last cycle that found the best length, where ``l2`` differs from it."""
+        return x2_last(self.curve)
+
+    @property
+    def x3(self) -> int:
+        """First cycle from which on the curve stays at ``l2``; 0 if there is none."""
+        return self.features.x3
+
+    @property
+    def l1(self) -> float:
+        """Best length of the run, in cells; nan if no ant ever arrived."""
+        return self.features.l1
+
+    @property
+    def l2(self) -> float:
+        """Length of convergence, the last cycle's best; nan if all its ants were lost."""
+        return self.features.l2
+
+    @property
+    def length(self) -> float:
+        """Length of ``path``, the same as ``l1``."""
+        return self.features.l1
+
+    @property
+    def optimum(self) -> float:
+        """Exact length of a shortest path on the map."""
+        return self.grid.optimum
+
+    @property
+    def optimum_pair(self) -> Pair:
+        """The exact optimum as (straight, diagonal) moves."""
+        return self.grid.optimum_pair
+
+    @property
+    def l1_pair(self) -> Pair | None:
+        """``l1`` as (straight, diagonal) moves."""
+        return self._pair(self.x1)
+
+    @property
+    def l2_pair(self) -> Pair | None:
+        """``l2`` as (straight, diagonal) moves."""
+        return self._pair(self.x3)
+
+    @property
+    def found_optimum(self) -> bool:
+        """Whether the run's best path is a shortest one."""
+        return self.l1_pair == self.optimum_pair
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything as plain values for JSON; None where there is no value."""
+        plain = {
+            "algo": self.algo,
+            "map": self.grid.name,
+            "map_digest": self.grid.digest,
+            "seed": self.seed,
+            **self.features._asdict(),
+            "optimum": self.optimum,
+            "l1_pair": self.l1_pair,
+            "l2_pair": self.l2_pair,
+            "optimum_pair": self.optimum_pair,
+            "lost_ants": self.lost_ants.tolist(),
+            "ant_steps": self.ant_steps,
+            "curve": self.curve.tolist(),
+            "path": None if self.path is None else self.path.tolist(),
+            "raw_path": None if self.raw_path is None else self.raw_path.tolist(),
+        }
+        found: dict[str, Any] = without_nan(plain)
+        return found
+
+    def _pair(self, cycle: int) -> Pair | None:
+        if cycle == 0:
+            return None
+        straight, diagonal = self.curve_pairs[cycle - 1].tolist()
+        return straight, diagonal
+
+    def __repr__(self) -> str:
+        found = f"l1={self.l1:.4f} l2={self.l2:.4f} x1={self.x1} x2={self.x2} x3={self.x3}"
+        return (
+            f"<{self.algo} on {self.grid.name}, seed {self.seed}: {found}, optimum {self.optimum:.4f}, "
+            f"{int(self.lost_ants.sum())} ants lost>"
+        )

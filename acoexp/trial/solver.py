@@ -1,0 +1,250 @@
+"""The solver: one configuration on one map, made ready once, then run for any number of seeds and threads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sized
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from copy import copy
+from functools import lru_cache
+from threading import Lock
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.cache import compile_once
+from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
+from acoexp.colony.problem import Problem
+from acoexp.colony.state import Kernels, Record, Room, Trails
+from acoexp.colony.walk import ORDERS
+from acoexp.errors import AcoexpError, SettingsError, StrategyError
+from acoexp.grid.grid import Grid
+from acoexp.trial import failures
+from acoexp.trial.failures import Failure
+from acoexp.trial.preparation import prepare
+from acoexp.trial.result import Result
+from acoexp.trial.seeds import check_seed
+from acoexp.trial.settings import Settings
+from acoexp.trial.workspace import Workspace, new_record, new_workspace
+
+_loop = lru_cache(maxsize=None)(make_loop)
+
+
+class Solver:
+    """Runs trials of one configuration on one map."""
+
+    def __init__(self, grid: Grid, settings: Settings) -> None:
+        self.settings = settings
+        self._kernels = Kernels(**{group: settings.parts[group].kernel for group in Kernels._fields})
+        self._loop = _loop(ORDERS[settings.scalars.order], self._kernels)
+        self._prepare(grid)
+        self._compile()
+
+    def on(self, grid: Grid) -> Solver:
+        """Return a solver of the same settings on another map; it shares what is compiled, so it is soon made.
+
+        Raises:
+            StrategyError: if a part fails, or answers with what is not asked for.
+        """
+        other = copy(self)
+        other._prepare(grid)
+        return other
+
+    def solve(self, seed: int) -> Result:
+        """Run one trial.
+
+        Raises:
+            SettingsError: if the seed is not a whole number from 0 to 2^64 - 1.
+            StrategyError: if a part broke its contract.
+        """
+        return self.solve_many([seed], threads=1)[0]
+
+    def solve_many(self, seeds: Iterable[int], threads: int | None = None) -> list[Result]:
+        """Run a trial for each seed on some threads; results stand in the order of the seeds.
+
+        A trial's result depends on its seed alone, whatever the threads and the order.
+
+        Args:
+            seeds: The seeds.
+            threads: How many threads; by default one for each processor this process may use.
+
+        Raises:
+            SettingsError: for a seed or a number of threads that is not one.
+            StrategyError: if a part broke its contract.
+        """
+        if not isinstance(seeds, Iterable):
+            raise SettingsError(f"seeds: expected whole numbers, such as range(10); got {seeds!r}")
+        checked = [check_seed(seed) for seed in seeds]
+        results: dict[int, Result] = {}
+
+        def receive(outcome: Result | Failure) -> None:
+            if isinstance(outcome, Failure):
+                raise outcome.reason
+            results[outcome.seed] = outcome
+
+        self.run(dict.fromkeys(checked), receive, threads)
+        return [results[seed] for seed in checked]
+
+    def run(
+        self, seeds: Iterable[int], receive: Callable[[Result | Failure], None], threads: int | None = None
+    ) -> None:
+        """Run a trial for each seed and hand over each outcome as soon as it is there, in any order.
+
+        Args:
+            seeds: Whole numbers from 0 to 2^64 - 1; taken one by one, so they need no room.
+            receive: Called by one thread at a time; what it raises ends the run.
+            threads: How many threads; by default one for each processor this process may use.
+
+        Raises:
+            SettingsError: for a number of threads that is not one.
+        """
+        waiting, busy = iter(seeds), Lock()
+        stop = np.zeros(1, dtype=np.uint8)
+
+        def work() -> None:
+            workspace = self._new_workspace(stop)
+            while not stop[0]:
+                with busy:
+                    seed = next(waiting, None)
+                if seed is None:
+                    return
+                outcome = self._outcome(workspace, seed)
+                with busy:
+                    if not stop[0]:
+                        receive(outcome)
+
+        workers = check_threads(threads)
+        if isinstance(seeds, Sized):
+            workers = min(workers, max(1, len(seeds)))
+        # a thread even for a single trial: the main one has to hear Ctrl-C while a kernel runs
+        with ThreadPoolExecutor(workers) as pool:
+            try:
+                for done in as_completed([pool.submit(work) for _ in range(workers)]):
+                    done.result()
+            except BaseException:
+                stop[0] = 1
+                raise
+
+    def trials(self, seeds: Iterable[int]) -> Iterator[Result]:
+        """Run one trial after the other in this thread, for callers that have threads of their own.
+
+        Raises:
+            SettingsError: if a seed is not a whole number from 0 to 2^64 - 1.
+            StrategyError: if a part broke its contract.
+        """
+        workspace = self._new_workspace()
+        for seed in seeds:
+            yield self._trial(workspace, check_seed(seed))
+
+    def room_after(self, seed: int) -> Room:
+        """Run one trial and return what it worked on, as it is after the last cycle.
+
+        Raises:
+            SettingsError: if the seed is not a whole number from 0 to 2^64 - 1.
+            StrategyError: if a part broke its contract.
+        """
+        workspace = self._new_workspace()
+        self._trial(workspace, check_seed(seed))
+        return workspace.room
+
+    def pheromone(self, seed: int) -> NDArray[np.float64]:
+        """Run one trial and return the pheromone on each move from each cell after it, float64[rows, cols, 8].
+
+        That is after the last cycle, so ``iterations`` says which. Only levels relative to each other count; nan
+        where a move is not allowed.
+
+        Raises:
+            SettingsError, StrategyError: As :func:`room_after`.
+        """
+        colony = self.room_after(seed).colony
+        bordered = (colony.stored * colony.scale[0]).reshape(-1, self._problem.width, 8)
+        return np.where(self._problem.allowed_edges(), bordered[1:-1, 1:-1], np.nan)
+
+    def _outcome(self, workspace: Workspace, seed: int) -> Result | Failure:
+        try:
+            return self._trial(workspace, seed)
+        except StrategyError as problem:
+            problem.__cause__ = None
+            return Failure(seed, problem.with_traceback(None))  # its frames would keep the trial's memory
+
+    def _trial(self, workspace: Workspace, seed: int) -> Result:
+        record = new_record(self.settings.scalars.iterations)
+        for array, pristine in workspace.to_restore:
+            np.copyto(array, pristine)
+        try:
+            with np.errstate(over="ignore"):  # without the JIT; uint64 wraps around on purpose
+                verdict = int(self._loop(workspace.room, record, np.uint64(seed)))
+        except Exception as problem:
+            raise failures.raised(self.settings, seed, problem) from problem
+        self._check(verdict, seed)
+        return self._result(workspace.room.best, record, seed)
+
+    def _result(self, best: Trails, record: Record, seed: int) -> Result:
+        arrived = best.length[0] < np.inf
+        return Result(
+            algo=self.settings.label,
+            seed=seed,
+            grid=self.grid,
+            moves=_moves(best, 0) if arrived else None,
+            raw_moves=_moves(best, 1) if arrived and self._kernels.post is not None else None,
+            curve_pairs=record.pairs,
+            lost_ants=record.lost,
+            ant_steps=int(record.ant_steps[0]),
+        )
+
+    def _check(self, verdict: int, seed: int) -> None:
+        """Blame the part that broke its contract, if one did."""
+        if verdict > 0:
+            raise StrategyError(
+                f"{failures.culprit(self.settings, 'post')} broke its contract, seed {seed}, cycle {verdict}: "
+                "what the post-optimiser returned is no path from start to goal; expected allowed moves"
+            )
+        if verdict == UNSOUND:
+            raise StrategyError(
+                f"{failures.suspects(self.settings)} broke its contract, seed {seed}: it made pheromone "
+                "negative or not a number; expected numbers, at least 0"
+            )
+        if verdict == STOPPED:
+            raise AcoexpError(f"seed {seed} was stopped")
+        if verdict == NO_PATH:
+            raise StrategyError(
+                f"{failures.culprit(self.settings, 'choice')} broke its contract, seed {seed}: an ant made moves "
+                f"that are not allowed under the rule {self.grid.moves!r}; expected an open one, or LOST"
+            )
+
+    def _prepare(self, grid: Grid) -> None:
+        self.grid = grid
+        self._problem = Problem(grid, self.settings.scalars, self.settings.field)
+        self._prepared = prepare(self._problem, self.settings)
+        self._problem.__dict__.pop("field", None)  # 17 bytes per cell that nobody needs any more
+
+    def _compile(self) -> None:
+        room = self._new_workspace().room
+        try:
+            kernels = ORDERS[self.settings.scalars.order], *self._kernels
+            compile_once(self._loop, kernels, (room, new_record(1), np.uint64(0)))
+        except AcoexpError:
+            raise
+        except Exception as problem:
+            raise failures.not_compiled(self.settings, problem) from problem
+
+    def _new_workspace(self, stop: NDArray[np.uint8] | None = None) -> Workspace:
+        stop = np.zeros(1, dtype=np.uint8) if stop is None else stop
+        return new_workspace(self._problem, self._prepared, self._kernels.post is not None, stop)
+
+
+def _moves(trails: Trails, row: int) -> NDArray[np.uint8]:
+    return trails.moves[row, : trails.steps[row]].copy()
+
+
+def check_threads(threads: int | None) -> int:
+    """Return a number of threads; where none is given, one for each processor that this process may use.
+
+    Raises:
+        SettingsError: if it is no whole number from 1 up.
+    """
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
+        raise SettingsError(f"threads: expected a whole number, at least 1; got {threads!r}")
+    return int(threads)

@@ -1,0 +1,1 @@
+"""Hydra's own doors for acoexp: the sweeper of its sweeps."""

@@ -1,0 +1,130 @@
+"""Averages of Tables 1-3: published, ours, and the interval in which ten trials' mean falls in 95 % of cases."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from acoexp.compare.measures import Sample
+from acoexp.compare.statistics import Estimate
+from acoexp_paper.claims.means import mean, mean_of_ten
+from acoexp_paper.published import tables
+from acoexp_paper.published.tables import (
+    ALGOS,
+    COLUMNS,
+    ENVIRONMENTS,
+    TABLE_3_ALGOS,
+    TABLE_3_COLUMNS,
+    TABLE_3_ENVIRONMENTS,
+    TABLES,
+    TRIALS,
+)
+from acoexp_paper.trials.samples import X2_LAST, Samples, values_of
+
+_HALF_A_DIGIT = {"x1": 0.05, "x2": 0.05, X2_LAST: 0.05, "x3": 0.05, "n_bar": 0.05, "n_c": 0.0}
+_HALF_OF_LENGTHS = 0.00005
+
+
+class Printed(NamedTuple):
+    """An average as the paper prints it.
+
+    Attributes:
+        table: 1, 2 or 3.
+        map: The environment.
+        algorithm: The preset.
+        column: The paper's column, or ``x2_last``.
+        value: What the paper prints.
+    """
+
+    table: int
+    map: str
+    algorithm: str
+    column: str
+    value: float
+
+    @property
+    def scale(self) -> int:
+        """What a mean over trials is multiplied by; n_c is a count of ten."""
+        return TRIALS if self.column == "n_c" else 1
+
+    def lies_in(self, interval: Estimate) -> bool:
+        """Return whether it lies in an interval, to the digits that are printed."""
+        slack = _HALF_A_DIGIT.get(self.column, _HALF_OF_LENGTHS) + 1e-9
+        return interval.low - slack <= self.value <= interval.high + slack
+
+    def ours(self, samples: Sequence[Sample]) -> Estimate:
+        """Return the mean of our trials, and the interval of means of ten on one of their maps."""
+        return mean_of_ten([values_of(sample, self.column) for sample in samples], self.scale)
+
+
+class Average(NamedTuple):
+    """An average beside ours.
+
+    Attributes:
+        printed: What the paper prints.
+        first_ten: That of our seeds 0 to 9.
+        ours: That of all our trials, with the interval of means of ten; of env1 that over its ensemble.
+        ensemble: The same over the ensemble; None where there is none.
+    """
+
+    printed: Printed
+    first_ten: float
+    ours: Estimate
+    ensemble: Estimate | None
+
+    @property
+    def inside(self) -> bool:
+        """Whether the published average lies in the interval on the environment's map."""
+        return self.printed.lies_in(self.ours)
+
+    @property
+    def ensemble_inside(self) -> bool | None:
+        """Whether it lies in that over the ensemble; None where there is none."""
+        return None if self.ensemble is None else self.printed.lies_in(self.ensemble)
+
+
+def averages(main: Mapping[str, Samples], ensembles: Mapping[str, Sequence[Samples]]) -> list[Average]:
+    """Return all averages of Tables 1, 2 and 3 beside ours.
+
+    Args:
+        main: The samples on each environment's map.
+        ensembles: Those on each of its further maps.
+    """
+    return [_beside(printed, main[printed.map], ensembles[printed.map]) for printed in printed_averages()]
+
+
+def _beside(printed: Printed, samples: Samples, ensemble: Sequence[Samples]) -> Average:
+    sample = samples[printed.algorithm]
+    first_ten = mean(values_of(sample, printed.column)[:TRIALS]) * printed.scale
+    over_maps = printed.ours([further[printed.algorithm] for further in ensemble]) if ensemble else None
+    if over_maps is not None and ENVIRONMENTS[printed.map].only_optimum:
+        return Average(printed, first_ten, over_maps, over_maps)
+    return Average(printed, first_ten, printed.ours([sample]), over_maps)
+
+
+def printed_averages() -> Iterator[Printed]:
+    """Yield the averages of Tables 1, 2 and 3, those of x2 once for each of its readings."""
+    for table, env in TABLES.items():
+        for algo in ALGOS:
+            for column in COLUMNS:
+                yield Printed(table, env, algo, column, tables.average(table, algo, column))
+            yield Printed(table, env, algo, X2_LAST, tables.average(table, algo, "x2"))
+    for env in TABLE_3_ENVIRONMENTS:
+        for algo in TABLE_3_ALGOS:
+            for column in TABLE_3_COLUMNS:
+                yield Printed(3, env, algo, column, tables.performance(env, algo, column))
+
+
+def averages_met(main: Mapping[str, Samples]) -> dict[tuple[int, str, str], tuple[int, int]]:
+    """Return by table, map and algorithm how many published averages the samples meet, of how many.
+
+    Args:
+        main: The samples on some environments' maps.
+    """
+    counts: dict[tuple[int, str, str], tuple[int, int]] = {}
+    for printed in printed_averages():
+        if printed.map in main and printed.column != X2_LAST:
+            inside = printed.lies_in(printed.ours([main[printed.map][printed.algorithm]]))
+            met, of = counts.get(printed[:3], (0, 0))
+            counts[printed[:3]] = (met + inside, of + 1)
+    return counts

@@ -1,0 +1,107 @@
+"""The sections of averages: Tables 1 to 3 with our trials in the paper's form, and each average beside ours."""
+
+from __future__ import annotations
+
+from acoexp.compare.measures import Sample
+from acoexp.compare.tables import Table
+from acoexp_paper.claims.averages import Average
+from acoexp_paper.claims.findings import Findings
+from acoexp_paper.claims.means import mean
+from acoexp_paper.page.document import Block, Numbers
+from acoexp_paper.page.formats import estimate, number, yes_or_no
+from acoexp_paper.published.tables import (
+    ALGOS,
+    COLUMNS,
+    ENVIRONMENTS,
+    TABLE_3_ALGOS,
+    TABLE_3_COLUMNS,
+    TABLE_3_ENVIRONMENTS,
+    TABLES,
+    TITLES,
+    TRIALS,
+)
+from acoexp_paper.trials.experiment import Experiment
+from acoexp_paper.trials.samples import values_of
+
+
+def trial_tables(experiment: Experiment) -> list[Block]:
+    """Return Tables 1, 2 and 3, with our trials of the seeds 0 to 9."""
+    tables = [_iterations(experiment, table, env) for table, env in TABLES.items()] + [_performance(experiment)]
+    return [Numbers(f"table{number}", table) for number, table in enumerate(tables, 1)]
+
+
+def _iterations(experiment: Experiment, table: int, env: str) -> Table:
+    rows = [row for algo in ALGOS for row in _rows(TITLES[algo], experiment.main[env][algo])]
+    title = f"Table {table}. Comparison of the iteration times, path length for the three methods"
+    note = (
+        f"In the paper's form, on {_map_of(experiment, env)}. x1: cycle in which the best length l1 is first "
+        "found; x2: that in which it is first found twice in a row; x3: that from which the curve stays at l2. "
+        "Lengths in cells."
+    )
+    return Table(title, note, ["Algorithm", "Seed", *COLUMNS], rows)
+
+
+def _rows(title: str, sample: Sample) -> list[list[str]]:
+    columns = {name: values_of(sample, name)[:TRIALS] for name in COLUMNS}
+    rows = [
+        [title if trial == 0 else "", str(trial), *(number(name, v[trial], 0) for name, v in columns.items())]
+        for trial in range(min(TRIALS, sample.found.size))
+    ]
+    return [*rows, ["Average result", "", *(number(name, mean(values)) for name, values in columns.items())]]
+
+
+def _performance(experiment: Experiment) -> Table:
+    rows = [
+        [
+            TITLES[algo],
+            *(
+                _of_ten(experiment.main[env][algo], name)
+                for env in TABLE_3_ENVIRONMENTS
+                for name in TABLE_3_COLUMNS
+            ),
+        ]
+        for algo in TABLE_3_ALGOS
+    ]
+    note = (
+        f"In the paper's form, seeds 0 to {TRIALS - 1}, on {_map_of(experiment, 'env1')} and "
+        f"{_map_of(experiment, 'env2')}. n_c: trials that found the optimum; l: mean length of convergence, in "
+        "cells; n: mean cycle of finding, over those that did. ACO-PF is a reconstruction: its formulas are in "
+        "no public source."
+    )
+    headings = [f"{env} {name}" for env in TABLE_3_ENVIRONMENTS for name in ("n_c", "l", "n")]
+    title = "Table 3. Comparison of the performance for the two methods"
+    return Table(title, note, ["Algorithm", *headings], rows)
+
+
+def _of_ten(sample: Sample, column: str) -> str:
+    values = values_of(sample, column)[:TRIALS]
+    return str(int(values.sum())) if column == "n_c" else number(column, mean(values))
+
+
+def _map_of(experiment: Experiment, env: str) -> str:
+    kind = "the map given for" if env in experiment.given else "our reconstruction of"
+    return f"{kind} {ENVIRONMENTS[env].title}"
+
+
+def averages(found: Findings) -> list[Block]:
+    """Return every published average beside ours."""
+    note = (
+        "Published averages, of ten trials each, beside ours: of the seeds 0 to 9, and of all "
+        f"{found.experiment.trials} trials with the interval in which the mean of ten trials falls in 95 % of "
+        "cases (bootstrap). Inside: whether the published average lies in it. Ensemble: the same where the map, "
+        "too, is drawn from the ensemble; for env1 that alone counts. x2_last is x2 read as the last cycle with "
+        "l1 where l2 differs. Lengths in cells, n_c of ten."
+    )
+    headings = ["table", "map", "algorithm", "column", "published", "seeds 0-9", "ours", "inside"]
+    headings += ["ensemble", "inside (ensemble)"]
+    rows = [_average(row) for row in found.averages]
+    return [Numbers("averages", Table("Averages, published and ours.", note, headings, rows))]
+
+
+def _average(row: Average) -> list[str]:
+    table, env, algo, column, published = row.printed
+    return [
+        str(table), env, TITLES[algo], column, number(column, published),
+        number(column, row.first_ten), estimate(column, row.ours), yes_or_no(row.inside),
+        "-" if row.ensemble is None else estimate(column, row.ensemble), yes_or_no(row.ensemble_inside),
+    ]  # fmt: skip

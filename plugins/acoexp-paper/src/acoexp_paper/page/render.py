@@ -1,0 +1,113 @@
+"""The document as text: a page of HTML, Markdown, and a table as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Iterator, Mapping
+from html import escape
+from importlib.resources import files
+
+from acoexp.compare.render import html_table, markdown_table
+from acoexp.compare.tables import Table
+from acoexp_paper.claims.verdicts import DEPENDS, FAILS, HOLDS, OPPOSITE
+from acoexp_paper.page.document import Block, Bullets, Document, Figure, Heading, Numbers, Section, Text
+
+_STYLE = files("acoexp_paper.page").joinpath("style.css").read_text(encoding="utf-8")
+_CLASSES = {HOLDS: "yes", "yes": "yes", FAILS: "no", "no": "no", OPPOSITE: "against", DEPENDS: "mixed"}
+"""The style of a table's entry, by its text."""
+
+
+def as_markdown(document: Document) -> str:
+    """Return the document as Markdown, its figures as links to their files."""
+    parts = [f"# {document.title}", document.lead]
+    for section in document.sections:
+        parts += [f"## {section.title}", *map(_markdown, section.blocks)]
+    return "\n\n".join(parts) + "\n"
+
+
+def _markdown(block: Block) -> str:
+    match block:
+        case Text(text):
+            return text
+        case Heading(text):
+            return f"### {text}"
+        case Bullets(items):
+            return "\n".join(f"- {item}" for item in items)
+        case Numbers(_, table):
+            return f"**{table.title}**\n\n{table.note}\n\n{markdown_table(table)}"
+        case Figure(name, caption):
+            return f"![{caption}](figures/{name}.svg)\n\n*{caption}*"
+
+
+def as_html(document: Document, drawings: Mapping[str, str]) -> str:
+    """Return the document as one page that needs no other file.
+
+    Args:
+        document: The document.
+        drawings: The SVG text of each figure, by name.
+    """
+    head = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width">\n'
+    head += f"<title>{escape(document.title)}</title>"
+    return (
+        f'<!DOCTYPE html>\n<html lang="en">\n<head>{head}\n<style>\n{_STYLE}</style>\n</head>\n<body>\n'
+        + "\n".join(_body(document, drawings))
+        + "\n</body>\n</html>\n"
+    )
+
+
+def _body(document: Document, drawings: Mapping[str, str]) -> Iterator[str]:
+    links = "\n".join(f'<li><a href="#{_id(s.title)}">{escape(s.title)}</a></li>' for s in document.sections)
+    yield f"<h1>{escape(document.title)}</h1>"
+    yield f'<p class="lead">{escape(document.lead)}</p>'
+    yield f"<nav><ol>\n{links}\n</ol></nav>"
+    for section in document.sections:
+        yield from _section(section, drawings)
+
+
+def _section(section: Section, drawings: Mapping[str, str]) -> Iterator[str]:
+    yield f'<section id="{_id(section.title)}">'
+    yield f"<h2>{escape(section.title)}</h2>"
+    for block in section.blocks:
+        yield from _html(block, drawings)
+    yield "</section>"
+
+
+def _html(block: Block, drawings: Mapping[str, str]) -> Iterator[str]:
+    match block:
+        case Text(text):
+            yield f"<p>{escape(text)}</p>"
+        case Heading(text):
+            yield f"<h3>{escape(text)}</h3>"
+        case Bullets(items):
+            yield "<ul>" + "\n".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
+        case Numbers(name, table):
+            yield f'<figure class="table" id="{name}">'
+            yield f"<figcaption><b>{escape(table.title)}</b> {escape(table.note)}</figcaption>"
+            yield _coloured(html_table(table))
+            yield "</figure>"
+        case Figure(name, caption):
+            svg = drawings[name]
+            yield f'<figure id="{name}">{svg[svg.index("<svg") :]}'
+            yield f"<figcaption>{escape(caption)}</figcaption></figure>"
+
+
+def _coloured(html: str) -> str:
+    """Mark verdicts, numbers and rows of averages for the style."""
+    for text, name in _CLASSES.items():
+        html = html.replace(f"<td>{text}</td>", f'<td class="{name}">{text}</td>')
+    html = re.sub(r"<tr><td>Average result", '<tr class="average"><td>Average result', html)
+    number = r"(?:&lt; )?[\d.]+(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?"
+    return re.sub(f"<td>({number})</td>", r'<td class="number">\1</td>', html)
+
+
+def _id(title: str) -> str:
+    return re.sub(r"\W+", "-", title.lower()).strip("-")
+
+
+def as_csv(table: Table) -> str:
+    """Return a table with its headings as CSV."""
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows([table.headings, *table.rows])
+    return text.getvalue()

@@ -1,0 +1,1 @@
+"""What the paper prints: its tables, and what in them cannot be."""

@@ -1,0 +1,105 @@
+"""All figures: their names, their captions, and which trials they show. Solvers and files are made up."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from acoexp_paper.figures import everything, pheromone
+from acoexp_paper.figures.everything import save_figures
+from acoexp_paper.trials.experiment import Experiment
+from matplotlib.figure import Figure
+from small import TRIALS
+
+from acoexp.grid.grid import Grid
+from acoexp.trial.settings import Settings
+
+NAMES = [f"fig{number:02}" for number in (1, 7, 8, 9, 10, 11, 12, 13, 14, 16, 17, 18)]
+NEAREST = 17
+
+
+class MadeSolver:
+    """Ants that walk straight on, but for one of many, whose path is as long as that of the paper's Fig. 13."""
+
+    def __init__(self, grid: Grid, settings: Settings) -> None:
+        self.grid, self.settings = grid, settings
+
+    def solve(self, seed: int) -> SimpleNamespace:
+        corner = [(0, step) for step in range(20)]
+        walked = np.array([*corner, *((step, 19 - step % 2) for step in range(1, 23))])
+        near = seed == NEAREST and self.settings.scalars.ants == self.settings.scalars.iterations == 1
+        path, length = (walked, 41.0) if near else (np.array(corner), 19.0)
+        raw = None if seed == NEAREST + 1 else path
+        return SimpleNamespace(seed=seed, grid=self.grid, raw_path=raw, path=path, length=length)
+
+    def solve_many(self, seeds: Iterable[int], threads: int) -> list[SimpleNamespace]:
+        return [self.solve(seed) for seed in seeds]
+
+    def pheromone(self, seed: int) -> np.ndarray:
+        return np.ones((*self.grid.shape, 8))
+
+
+@pytest.fixture(scope="module")
+def figures() -> dict[str, Figure]:
+    """The figures that were drawn, by name."""
+    return {}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def captions(experiment: Experiment, figures: dict[str, Figure]) -> dict[str, str]:
+    """Their captions."""
+
+    def keep(figure: Figure, folder: Path, name: str) -> str:
+        figures[name] = figure
+        return f"<svg>{name}</svg>"
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(everything, "save", keep)
+        patch.setattr(everything, "Solver", MadeSolver)
+        patch.setattr(pheromone, "Solver", MadeSolver)
+        drawings, captions = save_figures(experiment, Path())
+    assert drawings == {name: f"<svg>{name}</svg>" for name in captions}
+    return captions
+
+
+def test_figures_are_named_and_ordered_by_their_numbers_in_the_paper(captions: dict[str, str]) -> None:
+    assert list(captions) == NAMES
+    for name, caption in captions.items():
+        assert re.match(rf"Fig\. {int(name[3:])}\b", caption)
+
+
+@pytest.mark.parametrize("name", ["fig09", "fig10", "fig11", "fig16", "fig18"])
+def test_a_caption_says_of_how_many_trials(captions: dict[str, str], name: str) -> None:
+    assert re.search(rf"\b{TRIALS}\b", captions[name])
+
+
+@pytest.mark.parametrize(("name", "algo"), [("fig07", "Standard ACO"), ("fig08", "ACO-PD"), ("fig12", "ACO-PDG")])
+def test_pheromone_is_that_of_the_algorithm_in_the_caption(captions: dict[str, str], name: str, algo: str) -> None:
+    assert f"distribution of {algo} after the cycles 6, 8 and 10 of seed 0" in captions[name]
+
+
+def test_the_ant_of_fig_13_is_the_one_whose_lengths_come_nearest_to_the_papers(figures: dict[str, Figure]) -> None:
+    assert figures["fig13"].axes[0].get_title() == f"one ant, first cycle, seed {NEAREST}"
+
+
+@pytest.mark.parametrize(("name", "env"), [("fig14", "fig13"), ("fig17", "env2")])
+def test_a_best_path_is_drawn_on_its_environments_map(
+    experiment: Experiment, figures: dict[str, Figure], name: str, env: str
+) -> None:
+    (axes,) = figures[name].axes
+    rows, cols = experiment.maps[env].shape
+    assert axes.get_title() == "best of the run, seed 0"
+    assert (axes.get_xlim()[1], axes.get_ylim()[0]) == (cols - 0.5, rows - 0.5)
+
+
+@pytest.mark.parametrize(("name", "env"), [("fig16", "fig13"), ("fig18", "env2")])
+def test_curves_are_those_of_the_map_in_the_caption(
+    experiment: Experiment, figures: dict[str, Figure], captions: dict[str, str], name: str, env: str
+) -> None:
+    first = figures[name].axes[0].lines[0]
+    np.testing.assert_array_equal(first.get_ydata(), experiment.main[env]["aco"].curves[0])
+    assert f"on {env}: ten trials" in captions[name]

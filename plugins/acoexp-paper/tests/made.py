@@ -1,0 +1,50 @@
+"""Trials that are made up, in no time: of which it is known what they say, or like those of a colony."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from zlib import crc32
+
+import numpy as np
+import pytest
+from acoexp_paper.claims.kinds import Kind
+
+from acoexp.compare.measures import Sample
+from acoexp.grid.grid import Grid
+from acoexp.trial.seeds import Seeds
+from acoexp.trial.settings import Settings
+from acoexp.trial.trials import Trials
+
+N = 400
+_SLOWEST = {"aco": 11, "pd": 9, "pdg": 4, "pf": 8}
+
+
+def sample(x1: int = 5, found: float = 1.0, converged: float = 1.0, seed: int = 0) -> Sample:
+    """Return trials around x1, of which such shares find and keep the optimum, 10."""
+    random = np.random.default_rng(seed)
+    first = random.integers(x1 - 2, x1 + 3, N).astype(float)
+    l1 = np.where(random.random(N) < found, 10.0, 11.0)
+    l2 = np.where(random.random(N) < converged, l1, 12.0)
+    features = {"x1": first, "x2": first, "x3": first, "l1": l1, "l2": l2, "lost_ants": first}
+    return Sample("", "map", 10.0, l1 == 10.0, features, np.tile(l2[:, None], (1, 50)))
+
+
+def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[int], None]) -> Trials:
+    """Return trials in which one algorithm finds the optimum sooner than another; one of five leaves it again."""
+    n, iterations = len(seeds), settings.scalars.iterations
+    random = np.random.default_rng(crc32(f"{settings.label} {grid.name}".encode()))
+    before = np.arange(iterations) < random.integers(1, _SLOWEST.get(settings.label, 10), (n, 1))
+    leaves = (np.arange(iterations) == iterations - 1) & (random.random((n, 1)) < 0.2)
+    pairs = np.tile(grid.optimum_pair, (n, iterations, 1))
+    pairs[before | leaves] += (2, 0)
+    show(n)
+    return Trials(seeds.array(), pairs, random.integers(0, 3, (n, iterations)), np.ones(n, dtype=np.int64))
+
+
+def says(kind: Kind, **samples: Sample) -> int:
+    """Return what samples, by algorithm, say of a claim: the same by its test and by the numbers alone."""
+    finding = kind.test(samples)
+    p_and_effect = kind.p_and_effect(samples)
+    assert p_and_effect == pytest.approx((finding.p, finding.effect.value))
+    assert kind.says(*p_and_effect) == kind.says(finding.p, finding.effect.value)
+    return kind.says(finding.p, finding.effect.value)

@@ -1,0 +1,61 @@
+"""The paper's tables with our trials, and the averages beside ours."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from acoexp_paper.claims.findings import Findings
+from acoexp_paper.page.averages import averages, trial_tables
+from acoexp_paper.page.document import Document, Section, tables_in
+from acoexp_paper.trials.experiment import Experiment
+
+from acoexp.compare.tables import Table
+
+
+def trial_table(experiment: Experiment, name: str) -> Table:
+    return tables_in(Document("", "", [Section("", trial_tables(experiment))]))[name]
+
+
+def test_table_1_has_the_ten_trials_of_each_algorithm_and_their_average(experiment: Experiment) -> None:
+    table = trial_table(experiment, "table1")
+    assert table.headings == ["Algorithm", "Seed", "x1", "l1", "x2", "l2", "x3"]
+    assert [row[0] for row in table.rows[::11]] == ["Standard ACO", "ACO-PD", "ACO-PDG"]
+    x1 = experiment.main["fig13"]["pd"].features["x1"][:10]
+    of_pd = table.rows[11:22]
+    assert [row[1:3] for row in of_pd[:10]] == [[str(seed), f"{value:.0f}"] for seed, value in enumerate(x1)]
+    assert of_pd[10][:3] == ["Average result", "", f"{x1.mean():.1f}"]
+
+
+def test_table_3_counts_and_averages_ten_trials(experiment: Experiment) -> None:
+    table = trial_table(experiment, "table3")
+    assert [row[0] for row in table.rows] == ["ACO-PF", "ACO-PDG"]
+    of_pf = dict(zip(table.headings, table.rows[0], strict=True))
+    sample = experiment.main["env2"]["pf"]
+    found = sample.found[:10]
+    assert of_pf["env2 n_c"] == str(found.sum())
+    assert of_pf["env2 l"] == f"{sample.features['l2'][:10].mean():.4f}"
+    assert of_pf["env2 n"] == f"{np.mean(sample.features['x1'][:10][found]):.1f}"
+
+
+def test_a_table_says_whether_its_map_is_the_true_one(experiment: Experiment) -> None:
+    given = replace(experiment, given=frozenset({"fig13"}))
+    assert "on the map given for the environment of Fig. 13" in trial_table(given, "table1").note
+    assert "on our reconstruction of the environment of Fig. 13" in trial_table(experiment, "table1").note
+
+
+def test_each_average_has_its_row(found: Findings) -> None:
+    (block,) = averages(found)
+    first = block.table.rows[0]
+    row = found.averages[0]
+    assert len(block.table.rows) == len(found.averages)
+    assert first[:5] == ["1", "fig13", "Standard ACO", "x1", "11.0"]
+    assert first[5] == f"{row.first_ten:.1f}"
+    assert first[6] == "{:.1f} [{:.1f}, {:.1f}]".format(*row.ours)
+    assert first[7] == ("yes" if row.inside else "no")
+
+
+def test_without_an_ensemble_its_columns_have_dashes(found: Findings) -> None:
+    alone = found._replace(averages=[row._replace(ensemble=None) for row in found.averages])
+    (block,) = averages(alone)
+    assert {tuple(row[8:]) for row in block.table.rows} == {("-", "-")}

@@ -1,0 +1,38 @@
+"""How numbers are written."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from acoexp_paper.page.formats import estimate, number, p_value, yes_or_no
+
+from acoexp.compare.statistics import Estimate
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "text"),
+    [("l1", 30.38478, "30.3848"), ("l_bar", 30.0, "30.0000"), ("n_bar", 2.64, "2.6"), ("x1", np.nan, "-")],
+)
+def test_lengths_have_four_digits_and_the_others_one(column: str, value: float, text: str) -> None:
+    assert number(column, value) == text
+
+
+def test_the_cycles_of_a_single_trial_have_no_digits() -> None:
+    assert (number("x1", 7.0, 0), number("l1", 7.0, 0)) == ("7", "7.0000")
+
+
+def test_an_estimate_stands_with_its_interval() -> None:
+    assert estimate("x1", Estimate(7.06, 4.1, np.nan)) == "7.1 [4.1, -]"
+
+
+def test_a_p_value_is_never_written_as_nothing() -> None:
+    assert (p_value(0.0), p_value(0.00099), p_value(0.001), p_value(1.0)) == (
+        "< 0.001",
+        "< 0.001",
+        "0.001",
+        "1.000",
+    )
+
+
+def test_neither_yes_nor_no_is_a_dash() -> None:
+    assert [yes_or_no(flag) for flag in (True, False, None)] == ["yes", "no", "-"]

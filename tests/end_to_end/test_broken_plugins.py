@@ -1,0 +1,364 @@
+"""A package that is broken in one way or another: one error that names it, and everything else goes on."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numba
+import pytest
+from running import install
+
+import acoexp
+from acoexp import SettingsError, StrategyError
+from acoexp.command.options.listing import parts_text
+from acoexp.command.options.registering import UserOptions
+from acoexp.registry.entries import _claims, entries
+from acoexp.registry.folders import plugin_conf_dirs
+from acoexp.registry.parts import _check_unambiguous, _load
+from acoexp.registry.presets import find_preset, preset_names
+
+PARTS = '''
+from dataclasses import dataclass
+from typing import ClassVar
+
+from acoexp.colony.compiled import compiled
+from acoexp.parameters import parameter
+from acoexp.strategies import Choice, Diffusion, Heuristic
+
+
+@compiled
+def look_into_nothing(colony, own, ant, cell, came):
+    colony.nothing[cell] = 1.0
+
+
+@compiled
+def open_all(colony, own, ant, cell, came):
+    for edge in range(cell * 8, cell * 8 + 8):
+        colony.weight[edge] = 1.0
+
+
+@compiled
+def stay(colony, own, ant, cell, came):
+    pass
+
+
+@compiled
+def give_up(colony, own, ant, cell, came):
+    raise ValueError("given up")
+
+
+@compiled
+def go_east(colony, own, ant, cell, came):
+    return 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Uncompilable(Diffusion):
+    """Does not compile."""
+
+    kernel = staticmethod(look_into_nothing)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unprepared(Diffusion):
+    """Raises in prepare."""
+
+    kernel = staticmethod(stay)
+
+    def prepare(self, problem):
+        raise ZeroDivisionError("too bad")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Listing(Diffusion):
+    """Prepares what no kernel can take."""
+
+    kernel = staticmethod(stay)
+
+    def prepare(self, problem):
+        return (1.0, [2.0])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Raising(Diffusion):
+    """Raises at a step."""
+
+    kernel = staticmethod(give_up)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Newer(Diffusion):
+    """Asks for what is yet to come."""
+
+    contract: ClassVar[int] = 2
+    kernel = staticmethod(stay)
+
+
+def wander(colony, own, ant, cell, came):
+    pass
+
+
+@compiled
+def hesitate(colony, own, cell):
+    pass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plain(Diffusion):
+    """Its kernel is plain Python."""
+
+    kernel = staticmethod(wander)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Misfit(Diffusion):
+    """Its kernel takes something else."""
+
+    kernel = staticmethod(hesitate)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Method(Diffusion):
+    """Its kernel would be bound to it."""
+
+    kernel = stay
+
+
+@dataclass(frozen=True, kw_only=True)
+class Idle(Diffusion):
+    """Has no kernel."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Undeclared(Diffusion):
+    """Has a field that is no parameter."""
+
+    share: float = 0.5
+    kernel = staticmethod(stay)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Manifold(Diffusion):
+    """Has a parameter of a type that nothing checks."""
+
+    shares: list[float] = parameter((), "shares")
+    kernel = staticmethod(stay)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Picky(Diffusion):
+    """Refuses its own default."""
+
+    share: float = parameter(0.5, "a share")
+    kernel = staticmethod(stay)
+
+    def __post_init__(self):
+        raise ValueError("half is too much")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Blind(Heuristic):
+    """Leaves out eta."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stray(Diffusion):
+    """Writes to what is not its own, so that others fail."""
+
+    kernel = staticmethod(open_all)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Eastwards(Choice):
+    """Goes through walls."""
+
+    kernel = staticmethod(go_east)
+'''
+ENTRIES = """
+[acoexp.diffusion]
+uncompilable = bad_parts:Uncompilable
+unprepared = bad_parts:Unprepared
+listing = bad_parts:Listing
+raising = bad_parts:Raising
+newer = bad_parts:Newer
+gaussian = bad_parts:Newer
+absent = bad_parts:Absent
+plain = bad_parts:Plain
+misfit = bad_parts:Misfit
+method = bad_parts:Method
+idle = bad_parts:Idle
+undeclared = bad_parts:Undeclared
+manifold = bad_parts:Manifold
+picky = bad_parts:Picky
+stray = bad_parts:Stray
+
+[acoexp.heuristic]
+blind = bad_parts:Blind
+
+[acoexp.difusion]
+breeze = bad_parts:Newer
+
+[acoexp.choice]
+eastwards = bad_parts:Eastwards
+
+[acoexp.presets]
+bad = bad_parts
+gone = no_such_package
+odd = ..
+"""
+PRESETS = {
+    "pdg": "algo: pdg\nrho: 0.9\n",
+    "torn": "defaults: [\n",
+    "empty": "",
+    "misnamed": "defaults: []\nalgo: other\n",
+    "partial": "defaults:\n  - override /post: none\nalgo: partial\n",
+    "wrong": "defaults:\n"
+    + "".join(f"  - override /{group}: {part}\n" for group, part in find_preset("pd").parts.items())
+    + "algo: wrong\nants: many\n",
+}
+FEW = {"ants": 2, "iterations": 2}
+
+
+@pytest.fixture(autouse=True)
+def broken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Install a package of broken parts and presets for the length of a test."""
+    presets = {f"bad_parts/conf/algo/{name}.yaml": text for name, text in PRESETS.items()}
+    install(tmp_path, "bad-parts", ENTRIES, {"bad_parts/__init__.py": PARTS, **presets})
+    monkeypatch.syspath_prepend(tmp_path)
+    forget()
+    yield
+    sys.modules.pop("bad_parts", None)
+    monkeypatch.undo()
+    forget()
+
+
+def forget() -> None:
+    for kept in (entries, _claims, _check_unambiguous, _load, plugin_conf_dirs):
+        kept.cache_clear()
+
+
+compiling = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
+
+
+@pytest.mark.parametrize(
+    ("group", "name", "said"),
+    [
+        pytest.param(
+            "diffusion",
+            "uncompilable",
+            r"^diffusion 'uncompilable' of package bad-parts 1.0 cannot be compiled: colony has no 'nothing'; "
+            r"\S+__init__.py:\d+: colony.nothing\[cell\] = 1.0$",
+            marks=compiling,
+        ),
+        (
+            "diffusion",
+            "unprepared",
+            "diffusion 'unprepared' of package bad-parts 1.0 failed in prepare: .*too bad",
+        ),
+        ("diffusion", "listing", "diffusion 'listing' of package bad-parts 1.0: expected .* got list at place 1"),
+        (
+            "diffusion",
+            "raising",
+            r"diffusion 'raising' of package bad-parts 1.0 raised, seed 3: ValueError: given up; \S+:\d+: raise",
+        ),
+        (
+            "diffusion",
+            "newer",
+            "diffusion 'newer' of package bad-parts 1.0 asks for version 2 of the contract, .* 1;",
+        ),
+        ("diffusion", "absent", "diffusion 'absent' of package bad-parts 1.0 cannot be imported"),
+        pytest.param(
+            "diffusion",
+            "plain",
+            "diffusion 'plain' of package bad-parts 1.0: kernel wander is not @compiled$",
+            marks=compiling,
+        ),
+        (
+            "diffusion",
+            "misfit",
+            r": kernel hesitate takes \(colony, own, cell\); it is called with \(colony, own, ant, cell, came\)$",
+        ),
+        ("diffusion", "method", r": expected kernel = staticmethod\(stay\)$"),
+        ("diffusion", "idle", "bad-parts 1.0: expected Idle to name its kernel"),
+        ("diffusion", "undeclared", "bad-parts 1.0: share is a field without parameter()"),
+        ("diffusion", "manifold", r"bad-parts 1.0: shares: expected one of the types .* got list\[float\]"),
+        ("heuristic", "blind", "heuristic 'blind' of package bad-parts 1.0: expected Blind to define eta"),
+        (
+            "diffusion",
+            "stray",
+            r"^most likely diffusion 'stray' of package bad-parts 1.0 \(choice 'roulette' of package acoexp \S+ "
+            "is built in\\) broke its contract, seed 3: an ant made moves that are not allowed",
+        ),
+        ("choice", "eastwards", "choice 'eastwards' of package bad-parts 1.0 broke its contract, seed 3"),
+    ],
+)
+def test_a_broken_part_is_named_with_its_package(group: str, name: str, said: str) -> None:
+    walls = [[0, 1, 0], [0, 0, 0]]
+    with pytest.raises(StrategyError, match=said) as caught:
+        acoexp.solve(walls, "aco", seed=3, **FEW, **{group: name})  # type: ignore[arg-type]
+    assert "\n" not in str(caught.value)
+
+
+def test_an_object_that_asks_for_a_newer_contract_is_refused_too() -> None:
+    from bad_parts import Newer  # type: ignore[import-not-found]
+
+    with pytest.raises(StrategyError, match=r"diffusion 'newer' of package bad-parts 1\.0 asks for version 2"):
+        acoexp.solve("env2", "aco", diffusion=Newer())
+
+
+def test_built_in_parts_and_presets_go_on(caplog: pytest.LogCaptureFixture) -> None:
+    result = acoexp.solve("env2", "pdg", **FEW)  # type: ignore[arg-type]
+    assert result.algo == "pdg"
+    assert "rho" not in find_preset("pdg").values
+    assert [message for message in caplog.messages if "bad-parts 1.0 (bad_parts:Newer)" in message]
+
+
+@pytest.mark.parametrize("name", ["torn", "empty", "misnamed", "partial"])
+def test_a_broken_preset_is_named_with_its_package(name: str) -> None:
+    assert name in preset_names()
+    with pytest.raises(
+        StrategyError, match=f"algo '{name}' of package bad-parts 1.0: expected \\S+{name}.yaml to say"
+    ):
+        find_preset(name)
+
+
+def test_a_part_that_refuses_its_parameters_is_a_matter_of_settings() -> None:
+    with pytest.raises(SettingsError, match=r"^diffusion: ValueError: half is too much; got {'share': 0.5}$"):
+        acoexp.solve("env2", "aco", diffusion="picky")
+
+
+@pytest.mark.parametrize("name", ["torn", "misnamed"])
+def test_hydra_gets_no_preset_that_python_would_not_take(name: str, tmp_path: Path) -> None:
+    with pytest.raises(StrategyError, match=rf"algo '{name}' of package bad-parts 1.0: .*{name}.yaml"):
+        UserOptions("bad-parts", f"options://{tmp_path}/bad_parts/conf").load_config(f"algo/{name}")
+
+
+def test_what_is_wrong_in_a_preset_is_told_with_its_file() -> None:
+    with pytest.raises(
+        StrategyError, match=r"^algo 'wrong' of package bad-parts 1.0, \S+wrong.yaml: ants: expected"
+    ):
+        acoexp.solve("env2", "wrong")
+    with pytest.raises(SettingsError, match=r"^rho: expected"):
+        acoexp.solve("env2", "wrong", ants=3, rho=2.0)
+
+
+def test_a_part_in_a_group_that_there_is_not_is_told_of_where_it_is_missed() -> None:
+    with pytest.raises(
+        SettingsError, match=r"got 'breeze'; package bad-parts 1.0 registers breeze under"
+    ) as caught:
+        acoexp.solve("env2", "aco", diffusion="breeze")
+    assert str(caught.value).endswith("did you mean acoexp.diffusion?")
+
+
+def test_the_list_of_parts_tells_what_is_broken() -> None:
+    text = parts_text()
+    broken = {line.split()[0] for line in text.splitlines() if " BROKEN: " in line}
+    assert broken >= {"newer", "absent", "torn", "empty", "misnamed", "partial", "idle", "undeclared", "blind"}
+    at_its_end = text.partition("== broken ==\n")[2]
+    assert "\nBROKEN: diffusion 'idle' of package bad-parts 1.0: " in at_its_end
+    assert "BROKEN: package bad-parts 1.0 registers breeze under acoexp.difusion" in at_its_end
+    assert "BROKEN: presets of package bad-parts 1.0: expected a package 'no_such_package'" in at_its_end
+    assert "BROKEN: two packages call a diffusion 'gaussian'" in text
+    assert "uncompilable  package bad-parts 1.0, contract 1, bad_parts:Uncompilable" in text

@@ -1,0 +1,78 @@
+"""One trial that is kept: found again if it came to a result, told of if it did not."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from acoexp import Grid, solve
+from acoexp.errors import StrategyError, TrackingError
+from acoexp.registry.resolve import resolve
+from acoexp.runs.trial import keep_trial
+from acoexp.tracking.mlflow.tracker import MlflowTracker
+from acoexp.tracking.setup import Setup, Trial
+from acoexp.tracking.tracker import NoTracker
+from acoexp.trial.solver import Solver
+
+YARD = Grid([[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], name="yard")
+SETTINGS: dict[str, Any] = {"iterations": 4, "ants": 2}
+WHAT = Setup.of(resolve("aco", SETTINGS), YARD)
+
+
+class Noting(NoTracker):
+    """Notes what it is given."""
+
+    def __init__(self) -> None:
+        self.kept: list[tuple[Trial, bool]] = []
+        self.failed: list[tuple[int, str]] = []
+
+    def log(self, trial: Trial, *, resume: bool = True) -> None:
+        self.kept.append((trial, resume))
+
+    def log_failure(self, setup: Setup, seed: int, reason: str) -> None:
+        self.failed.append((seed, reason))
+
+
+def test_a_trial_that_was_kept_is_found_again_with_what_python_finds(tmp_path: Any) -> None:
+    tracker = MlflowTracker(f"sqlite:///{tmp_path}/mlflow.db")
+    tracker.prepare()
+    kept = keep_trial(WHAT, 3, tracker)
+    (found,) = tracker.find(WHAT.configuration_id).values()
+    result = solve(YARD, "aco", 3, **SETTINGS)
+    assert kept.trial.result.as_dict() == result.as_dict()
+    assert (found.params["seed"], found.metrics["l1"]) == ("3", result.l1)
+    assert tracker.has(kept.trial.identity)
+
+
+@pytest.mark.parametrize("resume", [True, False])
+def test_the_tracker_is_told_whether_what_it_has_of_the_same_trial_stays(resume: bool) -> None:
+    tracker = Noting()
+    kept = keep_trial(WHAT, 3, tracker, resume=resume)
+    assert tracker.kept == [(kept.trial, resume)]
+    assert kept.seconds > 0.0
+
+
+@pytest.mark.parametrize("where", ["solve", "__init__"])
+def test_a_trial_that_failed_is_kept_with_its_reason_and_raised(
+    where: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: Any) -> None:
+        raise StrategyError("the part broke")
+
+    monkeypatch.setattr(Solver, where, fail)
+    tracker = Noting()
+    with pytest.raises(StrategyError, match="^the part broke$"):
+        keep_trial(WHAT, 3, tracker)
+    assert (tracker.kept, tracker.failed) == ([], [(3, "the part broke")])
+
+
+def test_a_trial_that_the_store_does_not_take_has_not_failed() -> None:
+    class Full(Noting):
+        def log(self, trial: Trial, *, resume: bool = True) -> None:
+            raise TrackingError("disk full")
+
+    tracker = Full()
+    with pytest.raises(TrackingError, match="disk full"):
+        keep_trial(WHAT, 3, tracker)
+    assert tracker.failed == []

@@ -1,0 +1,73 @@
+"""Commands in processes forked from one that has imported everything: as separate as any, without the seconds of imports.
+
+What depends on how Python starts (its options, its environment, a cold start) needs a real process instead.
+"""
+
+from __future__ import annotations
+
+import atexit
+import multiprocessing
+import os
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from functools import cache
+from multiprocessing.context import ForkServerContext
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+IMPORTED = ["acoexp.command.main", "acoexp.command.results.pictures", "acoexp.compare.report", "mlflow", "forked"]
+
+
+def run_forked(
+    args: Sequence[str], cwd: Path, env: Mapping[str, str], timeout: float
+) -> subprocess.CompletedProcess[str]:
+    """Run ``python -m acoexp`` to its end.
+
+    Args:
+        args: Its arguments.
+        cwd: Its working directory.
+        env: Its whole environment.
+        timeout: Seconds after which it is killed.
+
+    Raises:
+        subprocess.TimeoutExpired: if it was killed.
+    """
+    with TemporaryDirectory() as folder:
+        out, err = Path(folder, "out"), Path(folder, "err")
+        process = _context().Process(target=_main, args=(list(args), str(cwd), dict(env), str(out), str(err)))
+        process.start()
+        process.join(timeout)
+        if process.is_alive():
+            process.kill()
+            process.join()
+            raise subprocess.TimeoutExpired(list(args), timeout)
+        code = process.exitcode
+        assert code is not None
+        return subprocess.CompletedProcess(list(args), code, out.read_text("utf-8"), err.read_text("utf-8"))
+
+
+@cache
+def _context() -> ForkServerContext:
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(IMPORTED)
+    return context
+
+
+def _main(args: list[str], cwd: str, env: dict[str, str], out: str, err: str) -> None:
+    """Become the command: its folder, its environment, its output; then run it, and what is to run at its exit."""
+    os.chdir(cwd)
+    os.environ.clear()
+    os.environ.update(env)
+    for stream, name in ((1, out), (2, err)):
+        os.dup2(os.open(name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), stream)
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+    sys.argv = ["acoexp", *args]
+    from acoexp.command.main import main
+
+    try:
+        main()
+    finally:
+        atexit._run_exitfuncs()
+        sys.stdout.flush()
+        sys.stderr.flush()
