@@ -8,13 +8,16 @@ from __future__ import annotations
 
 import hashlib
 import json
-import pickle
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, chdir, nullcontext
 from functools import lru_cache
+from io import BytesIO
+from itertools import count
 from pathlib import Path
+from secrets import token_hex
 from typing import Any
 
+import numpy as np
 from hydra.core.singleton import Singleton
 
 from acoexp.console.whole import write_whole
@@ -36,6 +39,7 @@ class Handover(metaclass=Singleton):
         self.addresses: dict[str, str] = {}
         self.folder: Path | None = None
         self.ready: Callable[[], float] | None = None
+        self._sweep = ""
 
     def in_parent_folder(self) -> AbstractContextManager[None]:
         """Enter the parent's working directory, if it is there."""
@@ -45,8 +49,9 @@ class Handover(metaclass=Singleton):
         """Put maps, each with the configuration that it came from, into the folder of a sweep."""
         self.folder = sweep / "maps"
         self.folder.mkdir(parents=True, exist_ok=True)
+        self._sweep = token_hex(8)
         for config, grid in maps:
-            write_whole(self._file(config), pickle.dumps(grid))
+            write_whole(self._file(config), _packed(grid))
 
     def map_of(self, config: Mapping[str, Any]) -> Grid | None:
         """Return the map for a configuration, as the parent loaded it; None if it did not send it along."""
@@ -54,13 +59,39 @@ class Handover(metaclass=Singleton):
             return None
         return _unpacked(self._file(config))
 
+    def own_folder(self, folder: Path) -> Path:
+        """Return a job's folder; one within it for every further job of a sweep whose pattern leads there too."""
+        if self.folder is None:
+            return folder
+        for number in count(1):
+            claim = hashlib.sha256(f"{self._sweep} {folder.absolute()} {number}".encode()).hexdigest()[:16]
+            try:
+                (self.folder / f"{claim}.job").touch(exist_ok=False)
+            except FileExistsError:
+                continue
+            own = folder if number == 1 else folder / str(number)
+            own.mkdir(parents=True, exist_ok=True)
+            return own
+        raise AssertionError
+
     def _file(self, config: Mapping[str, Any]) -> Path:
         digest = hashlib.sha256(json.dumps(config, sort_keys=True, default=str).encode()).hexdigest()[:16]
-        return Path(self.folder or "", f"{digest}.pickle")
+        return Path(self.folder or "", f"{digest}.npz")
+
+
+def _packed(grid: Grid) -> bytes:
+    """Return a map as NumPy's archive, which holds no code."""
+    about = {key: getattr(grid, key) for key in ("start", "goal", "moves", "name", "metadata")}
+    buffer = BytesIO()
+    text = json.dumps(about, default=str).encode()
+    np.savez_compressed(buffer, obstacles=grid.obstacles, about=np.frombuffer(text, np.uint8))
+    return buffer.getvalue()
 
 
 @lru_cache(maxsize=4)
 def _unpacked(file: Path) -> Grid:
     """Return a map once for the jobs of a process that share it."""
-    grid: Grid = pickle.loads(file.read_bytes())
-    return grid
+    with np.load(file, allow_pickle=False) as archive:
+        about = json.loads(archive["about"].tobytes())
+        start, goal = tuple(about.pop("start")), tuple(about.pop("goal"))
+        return Grid(archive["obstacles"], start=start, goal=goal, **about)

@@ -19,12 +19,12 @@ from omegaconf.errors import OmegaConfBaseException
 from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
 from acoexp.command.results.contents import batch_record, trial_record
-from acoexp.command.results.records import BATCH, TRIAL, write_progress, write_record
+from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
 from acoexp.command.results.table import print_report, print_trial
 from acoexp.command.results.watch import Watched, watching
 from acoexp.console.ending import FAILED, print_error
 from acoexp.console.whole import whole_file, write_whole
-from acoexp.errors import SettingsError, StoreGoneError, StrategyError
+from acoexp.errors import AcoexpError, SettingsError, StoreGoneError, StrategyError
 from acoexp.grid.grid import Grid
 from acoexp.parameters import build, fields_of
 from acoexp.registry.load_map import load_map
@@ -98,7 +98,17 @@ class Job:
         It is infinite where no ant ever arrived, and nan for a report.
         """
         hydra = HydraConfig.get()
-        folder, alone = Path(hydra.runtime.output_dir), hydra.mode == RunMode.RUN
+        alone = hydra.mode == RunMode.RUN
+        folder = (
+            Path(hydra.runtime.output_dir) if alone else self._handover.own_folder(Path(hydra.runtime.output_dir))
+        )
+        try:
+            return self._run_in(folder, alone)
+        except AcoexpError as problem:
+            write_whole(folder / FAILED_JOB, f"{problem}\n")
+            raise
+
+    def _run_in(self, folder: Path, alone: bool) -> float:
         if self.report is not None:
             reports = Path("outputs/reports") if alone else folder
             return self._write_report(self.report, reports / self.config["report"]["name"])

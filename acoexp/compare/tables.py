@@ -79,8 +79,8 @@ def pairs_table(pairs: Sequence[Row]) -> Table:
             *(row[key] for key in ("map", "a", "b", "measure", "effect")),
             interval(row["value"], row["low"], row["high"]),
             row["test"],
-            _probability(row["p"]),
-            _probability(row["p_holm"]),
+            p_value(row["p"]),
+            p_value(row["p_holm"]),
             row["verdict"],
         ]
         for row in pairs
@@ -113,5 +113,6 @@ def _spread(row: Row, name: str, digits: int) -> str:
     return f"{mean:.{digits}f}" if np.isnan(deviation) else f"{mean:.{digits}f} ± {deviation:.{min(digits, 2)}f}"
 
 
-def _probability(p: float) -> str:
+def p_value(p: float) -> str:
+    """Return a p value with three digits."""
     return "< 0.001" if p < 0.001 else f"{p:.3f}"

@@ -36,7 +36,8 @@ def test_it_divides_by_zero_as_numpy_does() -> None:
 
 @JIT_ALONE
 def test_it_cannot_allocate() -> None:
-    with pytest.raises(numba.core.errors.NumbaError, match=r"NRT required but not enabled|Only accept returning of array"):
+    refusals = r"NRT required but not enabled|Only accept returning of array"
+    with pytest.raises(numba.core.errors.NumbaError, match=refusals):
         compiled(allocated)(3)
 
 

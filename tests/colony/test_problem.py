@@ -17,3 +17,18 @@ def test_shared_by_target_all_edges_into_a_cell_have_the_mean_of_their_values(mo
     for (cell, d), target in edges.items():
         into = [values[(*other, e)] for (other, e), goal in edges.items() if goal == target]
         assert shared[(*cell, d)] == pytest.approx(np.mean(into))
+
+
+def test_kernels_find_a_cell_and_its_edges_under_its_number() -> None:
+    problem = problem_on(random_grid(4, 7, 9, "free"))
+    per_cell, per_edge = np.arange(7 * 9).reshape(7, 9), np.arange(7 * 9 * 8).reshape(7, 9, 8)
+    number = problem.cell((2, 5))
+    assert problem.per_cell(per_cell, border=-1)[number] == per_cell[2, 5]
+    assert problem.per_edge(per_edge, border=-1)[number * 8 : number * 8 + 8].tolist() == per_edge[2, 5].tolist()
+
+
+def test_around_the_map_lies_a_border_so_that_each_neighbour_is_there_to_be_looked_at() -> None:
+    problem = problem_on(random_grid(4, 7, 9, "free"))
+    laid_out = problem.per_cell(np.ones((7, 9)), border=-1).reshape(9, 11)
+    assert (np.concatenate([laid_out[0], laid_out[-1], laid_out[:, 0], laid_out[:, -1]]) == -1).all()
+    assert (laid_out[1:-1, 1:-1] == 1).all()

@@ -1,4 +1,4 @@
-"""Cells: texts that become configurations, or are refused with the key that they stand under."""
+"""Configurations: from texts such as a person writes, or refused with the key that they stand under."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from acoexp.trial.settings import Settings
 
 
 def parsed(text: str, base: dict[str, Any] | None = None) -> Configuration:
-    """Return one cell, beside another."""
+    """Return one configuration, beside another."""
     return parse_configurations([text, "aco rho=0.123"], base or {})[0]
 
 
 def settings(text: str, base: dict[str, Any] | None = None) -> Settings:
-    """Return one cell's settings."""
+    """Return one configuration's settings."""
     return parsed(text, base).settings
 
 
@@ -40,7 +40,7 @@ def test_overrides_are_those_of_the_command_line(text: str, same: dict[str, Any]
     assert settings(text) == resolve("pdg", same)
 
 
-def test_the_command_lines_scalars_hold_unless_a_cell_says_otherwise() -> None:
+def test_the_command_lines_scalars_hold_unless_a_configuration_says_otherwise() -> None:
     base = {"ants": 7, "rho": 0.4, "field": {"reach": 3.0, "repulsion": 2.0}}
     found = settings("pd ants=9 field.reach=5", base)
     assert found == resolve("pd", {"ants": 9, "rho": 0.4, "field": {"reach": 5.0, "repulsion": 2.0}})
@@ -51,7 +51,7 @@ def test_a_label_has_single_blanks() -> None:
 
 
 @pytest.mark.parametrize("text", ["my own: pd ants=9", "my own:pd  ants=9", " my  own :pd ants=9"])
-def test_a_cell_may_have_a_name(text: str) -> None:
+def test_a_configuration_may_have_a_name(text: str) -> None:
     assert parsed(text) == Configuration("my own", "pd ants=9", resolve("pd", {"ants": 9}))
 
 
@@ -78,7 +78,7 @@ def test_a_colon_in_a_value_is_no_name() -> None:
         ("pdg seed=3", "seed is not a known key"),
     ],
 )
-def test_a_bad_cell_is_refused_in_one_line(text: str, said: str) -> None:
+def test_a_bad_configuration_is_refused_in_one_line(text: str, said: str) -> None:
     with pytest.raises(SettingsError) as caught:
         parsed(text)
     assert str(caught.value).startswith(f"report.cells: {text!r}: {said}")

@@ -1,23 +1,24 @@
-"""Rows of cells and pairs, on trials made up for it."""
+"""Rows of configurations and pairs, on trials made up for it."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from acoexp.compare.curves import quartiles
+from acoexp import Grid
 from acoexp.compare.measures import Sample, configuration_row, pair_rows
+from acoexp.trial.trials import Trials
 
 K = 20
 
 
-def sample(cell: str, x1: list[int], found: list[bool], l2: list[float], name: str = "yard") -> Sample:
-    """Return a cell's trials."""
+def sample(label: str, x1: list[int], found: list[bool], l2: list[float], name: str = "yard") -> Sample:
+    """Return a configuration's trials."""
     n = len(x1)
     first = np.array([cycle or np.nan for cycle in x1])
     features = {"x1": first, "x2": first, "x3": first, "l1": np.full(n, 7.0), "l2": np.array(l2)}
     features["lost_ants"] = np.arange(n, dtype=np.float64)
-    return Sample(cell, name, 7.0, np.array(found), features, np.full((n, K), 7.0))
+    return Sample(label, name, 7.0, np.array(found), features, np.full((n, K), 7.0))
 
 
 QUICK = sample("quick", [1, 2] * 10, [True] * 20, [7.0] * 20)
@@ -26,11 +27,11 @@ LOST = sample("lost", [1, 0] * 10, [False] * 20, [np.nan] * 20)
 
 
 def verdicts(*samples: Sample) -> dict[tuple[str, str, str], str]:
-    """Return each pair's verdicts by cells and measure."""
+    """Return each pair's verdicts by configurations and measure."""
     return {(row["a"], row["b"], row["measure"]): row["verdict"] for row in pair_rows(samples)}
 
 
-def test_a_cells_row() -> None:
+def test_a_configurations_row() -> None:
     row = configuration_row(sample("c", [4, 6, 3, 0], [True, True, False, False], [7.0, 8.0, 9.0, np.nan]))
     assert row["x1"] == pytest.approx(13 / 3)
     assert row["l2"] == 8.0
@@ -40,7 +41,7 @@ def test_a_cells_row() -> None:
     assert row["ert"] == (4 + 6 + K + K) / 2  # what missed the optimum spent all its cycles
 
 
-def test_verdicts_name_the_better_cell_whichever_stands_first() -> None:
+def test_verdicts_name_the_better_configuration_whichever_stands_first() -> None:
     said = verdicts(QUICK, SLOW, LOST) | verdicts(SLOW, QUICK)
     assert said["quick", "slow", "l2"] == said["slow", "quick", "l2"] == "quick better"
     assert said["quick", "slow", "hitting time"] == said["slow", "quick", "hitting time"] == "quick better"
@@ -57,14 +58,14 @@ def test_a_run_whose_last_ants_were_lost_ranks_behind_every_length() -> None:
     assert verdicts(SLOW, LOST)["slow", "lost", "l2"] == "slow better"
 
 
-def test_a_cell_does_not_differ_from_itself() -> None:
+def test_a_configuration_does_not_differ_from_itself() -> None:
     rows = pair_rows([LOST, LOST])
     assert {row["verdict"] for row in rows} == {"no difference shown"}
     assert [row["p_holm"] for row in rows] == [1.0, 1.0, 1.0]
 
 
-def test_only_cells_on_one_map_are_compared_and_all_tests_are_one_family() -> None:
-    elsewhere = [sample(cell, [1, 2] * 10, [True] * 20, [7.0] * 20, "field") for cell in ("quick", "slow")]
+def test_only_configurations_on_one_map_are_compared_and_all_tests_are_one_family() -> None:
+    elsewhere = [sample(label, [1, 2] * 10, [True] * 20, [7.0] * 20, "field") for label in ("quick", "slow")]
     alone, both = pair_rows([QUICK, SLOW]), pair_rows([QUICK, SLOW, *elsewhere])
     assert [(row["map"], row["measure"]) for row in both] == [
         (name, measure) for name in ("yard", "field") for measure in ("l2", "hitting time", "success")
@@ -73,7 +74,15 @@ def test_only_cells_on_one_map_are_compared_and_all_tests_are_one_family() -> No
     assert both[0]["p_holm"] == pytest.approx(2 * alone[0]["p_holm"])
 
 
-def test_quartiles_rank_lost_cycles_behind() -> None:
-    curves = np.array([[9.0, 7.0], [np.nan, 7.0], [8.0, np.nan], [np.nan, np.nan]])
-    trials = Sample("c", "yard", 7.0, np.zeros(4, dtype=bool), {}, curves)
-    assert np.array_equal(quartiles(trials), [[8.0, 7.0], [9.0, 7.0], [np.nan, np.nan]], equal_nan=True)
+def test_what_is_measured_of_trials_is_nan_where_it_is_undefined() -> None:
+    grid = Grid([[0, 0, 0], [0, 0, 0], [0, 0, 0]], name="yard")
+    pairs = np.array([[[0, 2], [0, 2]], [[4, 0], [-1, -1]], [[-1, -1], [-1, -1]]], dtype=np.int32)
+    lost = np.array([[0, 0], [0, 1], [1, 1]], dtype=np.int32)
+    trials = Trials(np.arange(3, dtype=np.uint64), pairs, lost, np.ones(3, dtype=np.int64))
+    measured = Sample.of("mine", grid, trials)
+    assert (measured.configuration, measured.map, measured.optimum) == ("mine", "yard", grid.optimum)
+    assert measured.found.tolist() == [True, False, False]
+    assert measured.iterations == 2
+    assert np.array_equal(measured.features["x1"], [1.0, 1.0, np.nan], equal_nan=True)
+    assert np.array_equal(measured.features["l2"], [grid.optimum, np.nan, np.nan], equal_nan=True)
+    assert measured.features["lost_ants"].tolist() == [0.0, 1.0, 2.0]

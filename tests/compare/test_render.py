@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 from acoexp.compare.render import as_csv, as_html, as_json, as_latex, as_markdown
-from acoexp.compare.tables import Table, interval, number
+from acoexp.compare.tables import Table
 
 TABLE = Table("Odd", "5 % & more", ["cell", "p"], [["a|b_c", "< 0.001"], ["1 ± 2", "∞"]])
 
@@ -35,8 +35,7 @@ def test_rows_say_where_there_is_no_value() -> None:
     assert json.loads(as_json(rows)) == [{"cell": "a,b", "x": None, "y": "inf", "z": 0.1}]
 
 
-def test_numbers_have_three_digits() -> None:
-    said = [number(value) for value in (0.0, 0.123, 1.0, 12.34, 123.4, 1234.5, float("inf"), float("nan"))]
-    assert said == ["0.00", "0.12", "1.00", "12.3", "123", "1234", "∞", "-"]
-    assert interval(0.5, 0.25, 1.0) == "0.50 [0.25, 1.00]"
-    assert interval(float("inf"), float("nan"), float("inf")) == "∞"
+def test_a_page_in_markdown_leads_to_its_picture() -> None:
+    page = as_markdown("T", "lead", [TABLE], "x.svg")
+    assert page.startswith("# T\n\nlead\n\n## Odd\n\n5 % & more\n\n")
+    assert page.endswith("(x.svg)\n")

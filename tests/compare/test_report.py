@@ -9,6 +9,7 @@ import subprocess
 import sys
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,12 +17,16 @@ from mlflow import MlflowClient
 from PIL import Image
 from running import environment, listing, refusal, run_acoexp
 
-from acoexp import solve_many
-from acoexp.console.whole import whole_folder
+from acoexp import SettingsError, solve_many
+from acoexp.registry.load_map import load_map
+from acoexp.registry.parts import build_part
+from acoexp.registry.resolve import resolve
+from acoexp.report.context import Context
 from acoexp.strategies.groups import STRATEGY_GROUPS
+from acoexp.trial.solver import Solver
+from acoexp.trial.trials import Trials
 
 CELLS = 'report.cells=[aco,"pd ants=3"]'
-NAMED = 'report.cells=["plain: aco","more: pd"]'
 SMALL = ("report=compare", "iterations=4", "ants=2", "report.trials=3")
 FILES = {
     "index.html",
@@ -35,9 +40,22 @@ FILES = {
 }
 
 
+def context(folder: Path) -> Context:
+    """Return what a report works on, without a store."""
+    settings = resolve("pdg", {"iterations": 4, "ants": 2})
+    return Context(
+        algo="pdg",
+        preset=resolve("pdg", {}),
+        settings=settings,
+        grid=load_map("fig13", {}),
+        folder=folder,
+        trials_of=lambda settings, grid, seeds, show: Trials.of(Solver(grid, settings).solve_many(seeds)),
+    )
+
+
 @pytest.fixture(scope="module")
 def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder in which two cells were compared on two maps."""
+    """A folder in which two configurations were compared on two maps."""
     home = tmp_path_factory.mktemp("compare")
     ended = run_acoexp(CELLS, "report.maps=[fig13,env2]", *SMALL, cwd=home)
     assert ended.returncode == 0, ended.stderr
@@ -60,13 +78,6 @@ def test_it_leaves_a_report_and_its_batches_in_the_store(home: Path, folder: Pat
         ("env2", "2"), ("env2", "3"), ("fig13", "2"), ("fig13", "3"),
     ]  # fmt: skip
     assert {(run.data.params["seeds"], run.data.metrics["trials"]) for run in runs} == {("0-2", 3.0)}
-
-
-def test_written_again_it_takes_its_trials_from_the_store_and_is_the_same(home: Path, folder: Path) -> None:
-    before = {name: (folder / name).read_bytes() for name in FILES - {"curves.png", "curves.svg", "index.html"}}
-    ended = run_acoexp(CELLS, "report.maps=[fig13,env2]", *SMALL, cwd=home)
-    assert ended.stderr.count("3 of 3 trials found in the store") == 4
-    assert {name: (folder / name).read_bytes() for name in before} == before
 
 
 def test_it_prints_a_short_table_and_where_the_report_lies(home: Path) -> None:
@@ -104,13 +115,15 @@ def test_it_warns_where_efforts_differ(folder: Path) -> None:
     assert said in (folder / "index.html").read_text("utf-8")
 
 
-def test_cells_with_names_are_called_by_them_and_those_of_one_effort_are_not_warned_of(tmp_path: Path) -> None:
-    ended = run_acoexp(NAMED, *SMALL, cwd=tmp_path)
-    assert ended.returncode == 0, ended.stderr
-    assert re.search(r"^fig13 +more +\d/3 ", ended.stdout, re.M)
-    report = (tmp_path / "outputs/reports/compare/report.md").read_text("utf-8")
-    assert "plain is aco. more is pd." in report
-    assert "Warning" not in report
+def test_configurations_with_names_are_called_by_them_and_those_of_one_effort_are_not_warned_of(
+    tmp_path: Path,
+) -> None:
+    report = build_part("report", "compare", {"cells": ["plain: aco", "more: pd"], "trials": 3})
+    written = report.write(context(tmp_path / "compare"))
+    assert [row[:2] for row in report.headline(written)[1:]] == [["fig13", "plain"], ["fig13", "more"]]
+    page = (written / "report.md").read_text("utf-8")
+    assert "plain is aco. more is pd." in page
+    assert "Warning" not in page
 
 
 def test_its_page_needs_no_other_file(folder: Path) -> None:
@@ -125,20 +138,12 @@ def test_its_picture_has_a_panel_per_map(folder: Path) -> None:
         assert picture.height > picture.width
 
 
-def test_the_same_command_writes_the_same_bytes_in_place_of_what_was_there(home: Path, folder: Path) -> None:
+def test_written_again_from_the_store_it_has_the_same_bytes_and_nothing_else(home: Path, folder: Path) -> None:
     before = {name: (folder / name).read_bytes() for name in FILES}
     (folder / "old").touch()
-    assert run_acoexp(CELLS, "report.maps=[fig13,env2]", *SMALL, cwd=home).returncode == 0
+    ended = run_acoexp(CELLS, "report.maps=[fig13,env2]", *SMALL, cwd=home)
+    assert ended.stderr.count("3 of 3 trials found in the store") == 4
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
-
-
-def test_a_report_that_fails_half_way_leaves_the_one_before(tmp_path: Path) -> None:
-    with whole_folder(tmp_path / "report") as draft:
-        (draft / "index.html").write_text("first", encoding="utf-8")
-    with pytest.raises(FileNotFoundError), whole_folder(tmp_path / "report") as draft:
-        (draft / "not there" / "index.html").write_text("second", encoding="utf-8")
-    assert listing(tmp_path) == {"report", "report/index.html"}
-    assert (tmp_path / "report/index.html").read_text("utf-8") == "first"
 
 
 def test_jobs_of_a_sweep_write_a_report_each(tmp_path: Path) -> None:
@@ -152,18 +157,24 @@ def test_jobs_of_a_sweep_write_a_report_each(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ('report.cells=[aco,"pd gama=1"]', "report.cells: 'pd gama=1': gama is not a known key; "),
-        ("report.cells=aco", "report.cells: expected a list of texts; got 'aco'"),
-        ("report.cells=[aco]", "report.cells: expected two or more, each different; got ['aco']"),
-        ("report.maps=[nope]", "report.maps: 'nope': map: expected one of: "),
-        ("report.maps=[file]", "report.maps: 'file': map.path: expected a text; got nothing"),
-        ("report.trials=1", "report.trials: expected a whole number from 2 to 100000; got 1"),
-        ("diffusion.gamma=0.02", "diffusion: expected within report.cells, such as "),
-        ("+report.nope=1", "report.nope is not a known key; expected one of: report.cells, report.maps, "),
+        ({"cells": ["aco", "pd gama=1"]}, "report.cells: 'pd gama=1': gama is not a known key; "),
+        ({"cells": "aco"}, "report.cells: expected a list of texts; got 'aco'"),
+        ({"cells": ["aco"]}, "report.cells: expected two or more, each different; got ['aco']"),
+        ({"maps": ["nope"]}, "report.maps: 'nope': map: expected one of: "),
+        ({"maps": ["file"]}, "report.maps: 'file': map.path: expected a text; got nothing"),
+        ({"trials": 1}, "report.trials: expected a whole number from 2 to 100000; got 1"),
+        ({"nope": 1}, "report.nope is not a known key; expected one of: report.cells, report.maps, "),
     ],
 )
-def test_what_cannot_be_compared_is_refused_before_anything_runs(given: str, said: str, tmp_path: Path) -> None:
-    assert refusal("report=compare", given, cwd=tmp_path).startswith(said)
+def test_what_cannot_be_compared_is_refused(given: dict[str, Any], said: str, tmp_path: Path) -> None:
+    with pytest.raises(SettingsError) as caught:
+        build_part("report", "compare", given).check(context(tmp_path))
+    assert str(caught.value).startswith(said)
+
+
+def test_a_part_on_the_command_line_is_refused_before_anything_runs(tmp_path: Path) -> None:
+    said = refusal("report=compare", "diffusion.gamma=0.02", cwd=tmp_path)
+    assert said.startswith("diffusion: expected within report.cells, such as ")
 
 
 def test_a_report_needs_neither_hydra_nor_mlflow() -> None:

@@ -1,4 +1,4 @@
-"""Resolving: every way to say a part, what overrides what, how a result is labelled, and whose fault an error is."""
+"""Resolving: every way to say a part, what overrides what, how a result is labelled, whose fault an error is."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from acoexp.tracking.tracker import NoTracker
 from acoexp.trial.solver import Solver
 
 YARD = Grid([[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], name="yard")
-SETTINGS: dict[str, Any] = {"iterations": 4, "ants": 2}
+SETTINGS: dict[str, Any] = {"iterations": 4, "ants": 2, "rho": 0.91}
 WHAT = Setup.of(resolve("aco", SETTINGS), YARD)
 
 
@@ -34,15 +34,13 @@ class Noting(NoTracker):
         self.failed.append((seed, reason))
 
 
-def test_a_trial_that_was_kept_is_found_again_with_what_python_finds(tmp_path: Any) -> None:
-    tracker = MlflowTracker(f"sqlite:///{tmp_path}/mlflow.db")
-    tracker.prepare()
-    kept = keep_trial(WHAT, 3, tracker)
-    (found,) = tracker.find(WHAT.configuration_id).values()
+def test_a_trial_that_was_kept_is_found_again_with_what_python_finds(store: MlflowTracker) -> None:
+    kept = keep_trial(WHAT, 3, store)
+    (found,) = store.find(WHAT.configuration_id).values()
     result = solve(YARD, "aco", 3, **SETTINGS)
     assert kept.trial.result.as_dict() == result.as_dict()
     assert (found.params["seed"], found.metrics["l1"]) == ("3", result.l1)
-    assert tracker.has(kept.trial.identity)
+    assert store.has(kept.trial.identity)
 
 
 @pytest.mark.parametrize("resume", [True, False])
@@ -62,7 +60,7 @@ def test_a_trial_that_failed_is_kept_with_its_reason_and_raised(
 
     monkeypatch.setattr(Solver, where, fail)
     tracker = Noting()
-    with pytest.raises(StrategyError, match="^the part broke$"):
+    with pytest.raises(StrategyError, match=r"^the part broke$"):
         keep_trial(WHAT, 3, tracker)
     assert (tracker.kept, tracker.failed) == ([], [(3, "the part broke")])
 

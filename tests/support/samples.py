@@ -136,7 +136,7 @@ def colony_on(problem: Problem, eta: float | NDArray[np.float64] = 1.0) -> State
 
 
 def room_of(colony: State, **own: Any) -> Room:
-    """Return what the loop works on, in either order and without a post-optimiser; own state by its part's group."""
+    """Return what the loop works on, in either order, with no post-optimiser; own state by its part's group."""
     ants, cells = colony.ants, colony.allowed.size
     raw = new_trails(ants, cells)
     return Room(

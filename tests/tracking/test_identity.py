@@ -23,7 +23,7 @@ print(Setup.of(resolve("aco", {}), Grid(((0, 0), (0, 0)))).configuration_id)
 
 
 def identity_with(folder: Path) -> str:
-    """Return a cell's identity as a copy of the package in a folder computes it."""
+    """Return a configuration's identity as a copy of the package in a folder computes it."""
     done = subprocess.run(
         [sys.executable, "-c", PROGRAM],
         env=environment({"PYTHONPATH": str(folder)}),

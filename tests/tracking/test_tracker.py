@@ -1,56 +1,49 @@
-"""Which tracker a configuration asks for; all without a store."""
+"""``tracking=none``: a tracker that keeps nothing, and is in nobody's way."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
+import numpy as np
 import pytest
 
-from acoexp.errors import SettingsError
-from acoexp.tracking.mlflow.tracker import MlflowTracker
-from acoexp.tracking.open import open_tracker
+from acoexp import Grid, solve
+from acoexp.registry.resolve import resolve
+from acoexp.tracking.setup import Setup, Trial
 from acoexp.tracking.tracker import NoTracker
 from acoexp.trial.seeds import parse_seeds
+from acoexp.trial.trials import Trials
+
+SEEDS = parse_seeds("0-9")
 
 
-def test_no_tracking_touches_nothing_and_finds_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def tracker(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> NoTracker:
+    """Return a tracker, in an empty folder."""
     monkeypatch.chdir(tmp_path)
-    tracker = open_tracker({"name": "none"})
-    assert isinstance(tracker, NoTracker)
+    return NoTracker()
+
+
+def test_it_touches_nothing_and_finds_nothing(tracker: NoTracker, tmp_path: Path) -> None:
     tracker.prepare()
-    assert (tracker.find("c"), tracker.has("i"), [*tracker.find_trials("c", parse_seeds("0-9"))]) == (
-        {},
-        False,
-        [],
-    )
+    assert (tracker.find("c"), tracker.has("i"), [*tracker.find_trials("c", SEEDS)]) == ({}, False, [])
     assert list(tmp_path.iterdir()) == []
 
 
-def test_opening_a_store_touches_nothing_yet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert isinstance(open_tracker({"name": "mlflow", "uri": "sqlite:///outputs/mlflow.db"}), MlflowTracker)
+def test_what_it_was_given_it_has_not(tracker: NoTracker, tmp_path: Path) -> None:
+    grid = Grid(((0, 0), (0, 0)))
+    setup, result = Setup.of(resolve("aco", {}), grid), solve(grid, "aco", 0, iterations=1, ants=1)
+    trial = Trial(setup, result)
+    tracker.log(trial)
+    tracker.log_failure(setup, 1, "the part broke")
+    log = tracker.begin(setup, SEEDS)
+    log.keep(Trials.of([result]))
+    log.finish(None, np.zeros(1), [], {})
+    log.abandon("enough")
+    assert not tracker.has(trial.identity)
+    assert not tracker.has(setup.identity(SEEDS))
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize(
-    ("config", "said"),
-    [
-        ({"name": "wandb"}, "tracking: expected one of: mlflow, none; got 'wandb'"),
-        ({}, "tracking: expected one of: mlflow, none; got None"),
-        ({"name": "none", "uri": "x"}, "tracking.uri is not a known key of tracking=none"),
-        ({"name": "mlflow", "uri": 3}, "tracking.uri: expected the address of an MLflow store that lasts; got 3"),
-        ({"name": "mlflow", "uri": "???"}, "tracking.uri: expected the address"),
-        ({"name": "mlflow"}, "tracking.uri: expected the address"),
-    ],
-)
-def test_a_tracker_that_there_is_not_is_refused(config: dict[str, Any], said: str) -> None:
-    with pytest.raises(SettingsError) as caught:
-        open_tracker(config)
-    assert str(caught.value).startswith(said)
-
-
-@pytest.mark.parametrize("uri", ["sqlite://", "sqlite:///", "sqlite:///:memory:", "sqlite:///file:x?mode=memory"])
-def test_a_store_that_does_not_last_is_refused(uri: str) -> None:
-    with pytest.raises(SettingsError, match="expected the address of an MLflow store that lasts"):
-        open_tracker({"name": "mlflow", "uri": uri})
+def test_a_worker_needs_no_address_of_it(tracker: NoTracker) -> None:
+    assert (tracker.address, tracker.where) == (None, "not tracked")

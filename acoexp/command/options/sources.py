@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -14,10 +13,10 @@ from hydra.plugins.config_source import ConfigLoadError, ConfigResult, ConfigSou
 from omegaconf import OmegaConf
 from yaml import YAMLError
 
+from acoexp.command.options.trust import check_option
 from acoexp.registry.folders import plugin_conf_dirs
 from acoexp.registry.presets import find_preset
 
-_RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
 _OURS = ("config", "settings")
 
 
@@ -43,13 +42,12 @@ class UserOptions(ConfigSource):
         if self._folder in plugin_conf_dirs() and Path(config_path).parent == Path("algo"):
             find_preset(Path(config_path).name)  # refuses it as it does in Python
         result = self._read(self._folder / self._normalize_file_name(config_path))
-        content = OmegaConf.to_container(result.config, resolve=False)
-        where = f"{config_path} {result.header.get('package') or ''}"
-        if _RUNS_CODE.search(where) or _reaches_out(content):
-            raise HydraException(
-                f"{self._folder / config_path}.yaml: expected settings of acoexp only; an option file may not "
-                "set hydra.* or _target_, which run code"
-            )
+        check_option(
+            str(self._folder / self._normalize_file_name(config_path)),
+            config_path,
+            result.header.get("package") or "",
+            OmegaConf.to_container(result.config, resolve=False),
+        )
         return result
 
     def _read(self, file: Path) -> ConfigResult:
@@ -82,18 +80,6 @@ class UserOptions(ConfigSource):
         for file in (self._folder / config_path).iterdir():
             self._list_add_result(found, str(Path(config_path, file.name)), file.name, results_filter)
         return sorted(set(found))
-
-
-def _reaches_out(content: Any, in_defaults: bool = False) -> bool:
-    """Tell whether a file's content, or its defaults list, names ``_target_`` or anything of Hydra's."""
-    if isinstance(content, dict):
-        return any(
-            _RUNS_CODE.search(str(key)) or _reaches_out(value, str(key) == "defaults")
-            for key, value in content.items()
-        )
-    if isinstance(content, list):
-        return any(_reaches_out(item, in_defaults) for item in content)
-    return in_defaults and _RUNS_CODE.search(str(content)) is not None
 
 
 def remember_options(loader: ConfigLoader) -> None:

@@ -17,6 +17,9 @@ from acoexp.trial.features import without_nan
 TRIAL, BATCH, PROGRESS = "trial.json", "batch.json", "progress"
 """Files in a job's folder: the record of a finished trial, or of a finished batch; how far a batch is."""
 
+FAILED_JOB = "failed.txt"
+"""File in a job's folder: why it failed."""
+
 
 def write_record(file: Path, content: Mapping[str, Any]) -> None:
     """Write the record of a job, plain values for JSON; null where a number is not one."""

@@ -18,9 +18,9 @@ from acoexp.command.handover import Handover
 from acoexp.command.job import Job
 from acoexp.command.messages import in_one_line
 from acoexp.command.results.watch import Watch, Watched
-from acoexp.command.sweep.plan import Plan, fix_folder
+from acoexp.command.sweep.plan import Plan, as_written, fix_folder
 from acoexp.console.ending import FAILED, print_error
-from acoexp.errors import AcoexpError
+from acoexp.errors import AcoexpError, SettingsError
 
 OWN_SWEEPER = "hydra_plugins.acoexp.sweeper.AcoexpSweeper"
 """It checks and watches its jobs itself."""
@@ -58,9 +58,20 @@ def _begin_run(config: DictConfig) -> None:
     handover.ready = job.run
 
 
+def _check_storage(storage: str | None) -> None:
+    """Refuse to keep a study of Optuna's in a database: Optuna 2 fails at that with SQLAlchemy 2."""
+    if storage is not None and not storage.startswith("redis"):
+        raise SettingsError(
+            "hydra.sweeper.storage: expected nothing, or redis://...; Optuna 2, which Hydra's sweeper needs, "
+            "cannot keep a study in a database by the SQLAlchemy that MLflow needs"
+        )
+
+
 def _begin_foreign_sweep(config: DictConfig) -> None:
+    _check_storage(config.hydra.sweeper.get("storage"))
     loader = GlobalHydra.instance().config_loader()
-    parsed = OverridesParser.create(config_loader=loader).parse_overrides(list(config.hydra.overrides.task))
+    texts = as_written(config.hydra.overrides.task)
+    parsed = OverridesParser.create(config_loader=loader).parse_overrides(texts)
     plan = Plan(config, loader, [override for override in parsed if not override.is_sweep_override()])
     folder = fix_folder(config)
     plan.prepare(folder)

@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from hydra.core.config_loader import ConfigLoader
 from hydra.core.override_parser.types import Override
 from hydra.errors import HydraException
 from hydra.types import RunMode
-from omegaconf import DictConfig
+from omegaconf import DictConfig, ListConfig, OmegaConf
 
 from acoexp.command.handover import Handover
 from acoexp.command.job import Job
@@ -33,12 +33,14 @@ class Left(NamedTuple):
         known: Records of those that are.
         found: How many trials these are.
         trials: How many trials the sweep is of.
+        repeated: How many of its jobs say what another says, and are left out: they are no further trials.
     """
 
     missing: list[Overrides]
     known: list[dict[str, Any]]
     found: int
     trials: int
+    repeated: int
 
 
 class Plan:
@@ -60,13 +62,12 @@ class Plan:
         for override in overrides:
             if override.key_or_group == "seed":
                 _check_seeds(override)
+        of_hydra = as_written(config.hydra.overrides.hydra)
         # seeds change nothing that is checked here, so a configuration is composed once for all of them
         others = [override for override in overrides if override.key_or_group != "seed"]
         self.jobs = {
             tuple(combination): Job(
-                loader.load_configuration(
-                    "config", [*combination, *config.hydra.overrides.hydra], run_mode=RunMode.RUN
-                ),
+                loader.load_configuration("config", [*combination, *of_hydra], run_mode=RunMode.RUN),
                 self._handover,
             )
             for combination in combinations(others)
@@ -90,12 +91,16 @@ class Plan:
 
     def leave_out_known(self) -> Left:
         """Return what is not in the store yet, and the records of what is."""
-        left = Left([], [], 0, 0)
+        left, seen = Left([], [], 0, 0, 0), set[str]()
         in_store = self._in_store()
         for overrides in combinations(self._overrides):
             job = self.jobs[tuple(text for text in overrides if not _is_seed(text))]
             seed = next((text.partition("=")[2] for text in overrides if _is_seed(text)), str(job.keys.seed))
             identity = job.setup.identity(seed if job.seeds is None else job.seeds)
+            if job.report is None and identity in seen:
+                left = left._replace(repeated=left.repeated + 1)
+                continue
+            seen.add(identity)
             run = None if job.report else in_store.get(job.setup.configuration_id, {}).get(identity)
             left = left._replace(trials=left.trials + job.trials)
             if run is None:
@@ -114,6 +119,11 @@ class Plan:
         }
 
 
+def as_written(overrides: ListConfig) -> list[str]:
+    """Return overrides with what they refer to, such as ``${hydra.job.num}``, which only a job knows."""
+    return cast(list[str], OmegaConf.to_container(overrides, resolve=False))
+
+
 def combinations(overrides: Iterable[Override]) -> list[Overrides]:
     """Return what each job of a sweep is told: one of the values of each key, the last key's changing fastest.
 
@@ -125,6 +135,12 @@ def combinations(overrides: Iterable[Override]) -> list[Overrides]:
         key = override.get_key_element()
         values[key] = [f"{key}={value}" for value in _values(override)]
     return [list(combination) for combination in product(*values.values())]
+
+
+def first_number(folder: Path) -> int:
+    """Return the number of a sweep's first job: one that no job in its folder, of an earlier sweep, has."""
+    numbers = [int(job.name) for job in folder.iterdir() if job.is_dir() and job.name.isdecimal()]
+    return max(numbers, default=-1) + 1
 
 
 def fix_folder(config: DictConfig) -> Path:

@@ -1,4 +1,4 @@
-"""How small the tests' report is, and what it is written with."""
+"""How small the tests' report is, what it is written with, and what it consists of."""
 
 from __future__ import annotations
 
@@ -15,6 +15,21 @@ from acoexp.trial.trials import Trials
 
 OWN = {"iterations": 12, "ants": 5}
 TRIALS, ENSEMBLE_TRIALS, MAPS = 20, 10, 2
+
+FIGURES = [f"fig{number:02}" for number in (1, 7, 8, 9, 10, 11, 12, 13, 14, 16, 17, 18)]
+TABLES = [
+    "table1",
+    "table2",
+    "table3",
+    "averages",
+    "claims",
+    "success",
+    "readings",
+    "reading_claims",
+    "audit",
+    "maps",
+]
+"""The names of their files, in their order."""
 
 run_trials = partial(kept_trials, tracker=NoTracker())
 

@@ -14,43 +14,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from acoexp_paper.experiment import Experiment, builtin_map
 from acoexp_paper.report import Paper
+from acoexp_paper.trials.experiment import Experiment
 from PIL import Image
-from small import ENSEMBLE_TRIALS, MAPS, OWN, TRIALS, context
+from small import ENSEMBLE_TRIALS, FIGURES, MAPS, OWN, TABLES, TRIALS, context
 
 from acoexp import solve_many
 from acoexp.errors import AcoexpError
+from acoexp.registry.load_map import load_map
 from acoexp.registry.resolve import resolve
 
 pytestmark = pytest.mark.slow_without_jit
-
-FIGURES = (
-    "fig01",
-    "fig07",
-    "fig08",
-    "fig09",
-    "fig10",
-    "fig11",
-    "fig12",
-    "fig13",
-    "fig14",
-    "fig16",
-    "fig17",
-    "fig18",
-)
-TABLES = (
-    "table1",
-    "table2",
-    "table3",
-    "averages",
-    "claims",
-    "success",
-    "readings",
-    "reading_claims",
-    "audit",
-    "maps",
-)
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
@@ -76,7 +50,7 @@ def content(report: Path) -> dict[str, Any]:
     return found
 
 
-def cell(report: Path, *where: object) -> dict[str, Any]:
+def average(report: Path, *where: object) -> dict[str, Any]:
     keys = ("table", "map", "algorithm", "column")
     (found,) = (row for row in content(report)["tables"] if tuple(row[key] for key in keys) == where)
     return dict(found)
@@ -96,10 +70,10 @@ def test_it_leaves_every_table_and_figure_in_every_form(report: Path) -> None:
             assert min(picture.size) > 500
 
 
-def test_a_cell_is_what_its_trials_say(report: Path) -> None:
+def test_an_average_is_what_its_trials_say(report: Path) -> None:
     trials = solve_many("fig13", "pdg", seeds=range(TRIALS), **OWN)
     x1 = np.array([trial.x1 for trial in trials])
-    row = cell(report, 1, "fig13", "pdg", "x1")
+    row = average(report, 1, "fig13", "pdg", "x1")
     assert row["published"] == 2.6
     assert row["mean"] == pytest.approx(x1.mean())
     assert row["first_ten"] == pytest.approx(x1[:10].mean())
@@ -112,7 +86,7 @@ def test_a_cell_is_what_its_trials_say(report: Path) -> None:
 def test_success_is_counted_over_ten_trials(report: Path) -> None:
     trials = solve_many("env2", "pf", seeds=range(TRIALS), **OWN)
     found = np.array([trial.found_optimum for trial in trials])
-    row = cell(report, 3, "env2", "pf", "n_c")
+    row = average(report, 3, "env2", "pf", "n_c")
     assert row["first_ten"] == found[:10].sum()
     assert row["mean"] == pytest.approx(10 * found.mean())
 
@@ -133,6 +107,14 @@ def test_every_claim_has_its_test_and_verdict(report: Path) -> None:
         assert claim["verdict"] in ("holds", "does not hold", "opposite", "depends on the map")
         assert len(claim["maps"]) == MAPS
         assert (claim["on_map"] is None) == (claim["map"] == "env1")
+
+
+def test_its_headline_counts_the_verdicts_of_each_environment(smaller: Paper, report: Path) -> None:
+    headings, *rows = smaller.headline(report)
+    assert headings == ["claims", "holds", "does not hold", "opposite", "depends on the map"]
+    assert [row[0] for row in rows] == ["fig13", "env1", "env2"]
+    verdicts = [claim["verdict"] for claim in content(report)["claims"] if claim["map"] == "env2"]
+    assert rows[2][1:] == [str(verdicts.count(verdict)) for verdict in headings[1:]]
 
 
 def test_it_says_first_what_reproduces(report: Path) -> None:
@@ -159,13 +141,13 @@ def test_what_was_there_stays_if_it_cannot_be_written(report: Path, monkeypatch:
 
 
 def test_a_true_map_takes_the_place_of_the_reconstruction_and_its_ensemble(smaller: Paper, tmp_path: Path) -> None:
-    grid = builtin_map("fig13")
+    grid = load_map("fig13", {})
     rows = "\n".join("".join(".#"[cell] for cell in row) for row in grid.obstacles.astype(int))
     (tmp_path / "true.txt").write_text(f"; moves: {grid.moves}\n{rows}\n", encoding="utf-8")
     paper = replace(smaller, maps=(f"fig13={tmp_path / 'true.txt'}",))
-    given = paper._maps()
+    given = paper.true_maps()
     assert given["fig13"].digest == grid.digest
-    maps = {"fig13": given["fig13"], "env2": builtin_map("env2")}
+    maps = {"fig13": given["fig13"], "env2": load_map("env2", {})}
     experiment = Experiment(context(tmp_path), maps, frozenset(given), 10, ENSEMBLE_TRIALS)
     assert experiment.further_maps("fig13") == []
     assert len(experiment.further_maps("env2")) == MAPS
@@ -196,7 +178,7 @@ def test_a_map_that_is_not_the_papers_is_refused(
 
 
 def test_settings_that_would_not_be_used_are_refused(tmp_path: Path) -> None:
-    other_map = replace(context(tmp_path), grid=builtin_map("env2"))
+    other_map = replace(context(tmp_path), grid=load_map("env2", {}))
     with pytest.raises(AcoexpError, match="map: expected none with report=paper"):
         Paper().check(other_map)
     other_part = replace(context(tmp_path), settings=resolve("pdg", {"post": "none"}))

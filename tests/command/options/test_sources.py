@@ -1,26 +1,20 @@
-"""A user's own folder of options: settings of ours are welcome, whatever could run code is not."""
+"""Where Hydra reads options from: folders that are checked, and asked for each thing once."""
 
 from __future__ import annotations
 
+from copy import deepcopy
 from pathlib import Path
+from typing import Any
 
 import pytest
+from hydra.core.object_type import ObjectType
 from hydra.errors import HydraException
-from running import QUICK, refusal, run_acoexp, trials
+from hydra.plugins.config_source import ConfigLoadError
 
-from acoexp.command.options.registering import UserOptions
+from acoexp.command.options import sources
+from acoexp.command.options.sources import Remembered, UserOptions
+from acoexp.errors import SettingsError
 
-PRESET = """\
-# @package _global_
-defaults:
-  - override /diffusion: none
-  - override /post: none
-  - override /update: ant_cycle
-
-algo: pdg
-rho: 0.25
-ants: 3
-"""
 HARMLESS = "rho: 0.25\ndiffusion:\n  gamma: 0.5\n"
 
 
@@ -32,111 +26,132 @@ def write(folder: Path, name: str, content: str) -> Path:
     return file
 
 
-def test_an_own_preset_sets_scalars_and_parts(tmp_path: Path) -> None:
-    write(tmp_path / "mine", "algo/fast", PRESET)
-    ended = run_acoexp("--config-dir", "mine", "algo=fast", "tracking=none", "iterations=3", cwd=tmp_path)
-    assert ended.returncode == 0, ended.stderr
-    config = trials(tmp_path)[0]["config"]
-    assert (config["algo"], config["diffusion.name"], config["rho"], config["ants"]) == (
-        "custom",
-        "none",
-        "0.25",
-        "3",
-    )
+def options(folder: Path) -> UserOptions:
+    """Return a folder of options as Hydra has it."""
+    return UserOptions("test", f"options://{folder}")
 
 
-def test_an_own_preset_has_to_say_which_of_ours_it_changes(tmp_path: Path) -> None:
-    write(tmp_path / "mine", "algo/fast", "# @package _global_\nrho: 0.25\n")
-    assert refusal("-cd", "mine", "algo=fast", *QUICK, cwd=tmp_path).startswith("algo: expected one of: aco, acs")
+# --- a user's folder
 
 
-def test_an_own_group_is_added_in_a_sweep(tmp_path: Path) -> None:
-    write(tmp_path / "mine", "study/slow", "# @package _global_\nrho: 0.25\n")
-    write(tmp_path / "mine", "study/wide", "# @package _global_\nants: 4\nalpha: 2\n")
-    ended = run_acoexp("-m", "+study=slow,wide", "-cd=mine", "tracking=none", "iterations=3", cwd=tmp_path)
-    assert ended.returncode == 0, ended.stderr
-    assert {(t["config"]["rho"], t["config"]["ants"]) for t in trials(tmp_path)} == {("0.25", "10"), ("0.5", "4")}
-
-
-def test_a_folder_that_is_not_there_is_refused(tmp_path: Path) -> None:
-    assert refusal("-cd", "nowhere", cwd=tmp_path) == "--config-dir: expected a folder; got 'nowhere'"
+def test_settings_of_ours_are_read_with_their_header(tmp_path: Path) -> None:
+    write(tmp_path, "study/own", f"# @package _global_\n{HARMLESS}")
+    result = options(tmp_path).load_config("study/own")
+    assert result.config == {"rho": 0.25, "diffusion": {"gamma": 0.5}}
+    assert result.header == {"package": "_global_"}
 
 
 @pytest.mark.parametrize(
     ("name", "content"),
     [
-        ("study/evil", "# @package _global_\nhydra:\n  job:\n    name: x\n"),
-        ("study/evil", "# @package hydra.callbacks.evil\n_target_: os.system\n"),
-        ("hydra/callbacks/evil", "rho: 0.25\n"),
+        ("study/evil", "diffusion:\n  _target_: os.getcwd\n"),
+        ("study/evil", "# @package hydra\njob:\n  name: x\n"),
+        ("study/evil", "# @package  hydra.launcher\nrho: 1\n"),
+        ("study/evil", "# @package _global_.hydra.callbacks.evil\nrho: 1\n"),
+        ("hydra/evil", HARMLESS),
     ],
 )
-def test_what_reaches_for_hydra_ends_the_program_before_anything_is_written(
-    name: str, content: str, tmp_path: Path
-) -> None:
-    file = write(tmp_path / "mine", name, content)
-    message = refusal(f"+{name.replace('/evil', '=evil')}", *QUICK, "--config-dir=mine", cwd=tmp_path)
-    assert message.startswith(f"{file}: expected settings of acoexp only")
-
-
-def load(folder: Path, name: str) -> object:
-    """Load an option file as Hydra does."""
-    return UserOptions("test", f"options://{folder}").load_config(name).config
-
-
-@pytest.mark.parametrize("name", ["algo/own", "study/own", "hydraulics/own", "study/hydra_free"])
-def test_settings_of_ours_are_read(name: str, tmp_path: Path) -> None:
-    write(tmp_path, name, HARMLESS)
-    assert load(tmp_path, name) == {"rho": 0.25, "diffusion": {"gamma": 0.5}}
-
-
-@pytest.mark.parametrize(
-    "content",
-    [
-        "hydra:\n  run:\n    dir: x\n",
-        "hydra.run.dir: x\n",
-        "# @package hydra\njob:\n  name: x\n",
-        "# @package hydra.callbacks.evil\nrho: 1\n",
-        "# @package _global_.hydra.callbacks.evil\nrho: 1\n",
-        "# @package  hydra.launcher\nrho: 1\n",
-        "_target_: os.getcwd\n",
-        "diffusion:\n  _target_: os.getcwd\n",
-        "diffusion:\n  - [{a: {_target_: os.getcwd}}]\n",
-        "defaults:\n  - override /hydra/launcher: joblib\n",
-        "defaults:\n  - /hydra/launcher: joblib\n",
-        "defaults:\n  - hydra/launcher: joblib\n",
-        "defaults:\n  - /hydra/launcher/joblib\n",
-        "defaults:\n  - /hydra/launcher/joblib@diffusion\n",
-        "defaults:\n  - other@hydra.callbacks.evil: x\n",
-        "defaults:\n  - other@_global_.hydra.callbacks.evil: x\n",
-        "defaults:\n  - optional other@hydra.callbacks: x\n",
-        "defaults:\n  - /other/x@hydra.callbacks.evil\n",
-        "defaults:\n  - /other/x@_global_.hydra.callbacks.evil\n",
-        "defaults:\n  - override /other@hydra.callbacks: [x, y]\n",
-    ],
-)
-def test_a_file_that_reaches_for_hydra_or_for_code_is_refused(content: str, tmp_path: Path) -> None:
-    file = write(tmp_path, "study/evil", content)
+def test_a_file_that_reaches_for_more_is_refused_by_its_name(name: str, content: str, tmp_path: Path) -> None:
+    file = write(tmp_path, name, content)
     with pytest.raises(HydraException) as caught:
-        load(tmp_path, "study/evil")
+        options(tmp_path).load_config(name)
     assert str(caught.value).startswith(f"{file}: expected settings of acoexp only")
 
 
-def test_a_file_that_is_no_yaml_is_named(tmp_path: Path) -> None:
-    file = write(tmp_path, "study/torn", "rho: [\n")
-    with pytest.raises(HydraException, match=r"expected YAML; while parsing") as caught:
-        load(tmp_path, "study/torn")
+@pytest.mark.parametrize("content", [b"rho: [\n", b"\xff\xfe", b"rho: 1\n  ants: 2\n"])
+def test_a_file_that_is_no_yaml_is_named(content: bytes, tmp_path: Path) -> None:
+    file = write(tmp_path, "study/torn", "")
+    file.write_bytes(content)
+    with pytest.raises(HydraException, match=r"expected YAML; ") as caught:
+        options(tmp_path).load_config("study/torn")
     assert str(caught.value).startswith(str(file))
+    assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("name", ["hydra/callbacks/evil", "hydra/evil", "study/hydra/evil"])
-def test_a_file_under_a_folder_called_hydra_is_refused(name: str, tmp_path: Path) -> None:
-    write(tmp_path, name, HARMLESS)
-    with pytest.raises(HydraException, match=name):
-        load(tmp_path, name)
+def test_a_file_that_is_not_there_is_looked_for_elsewhere(tmp_path: Path) -> None:
+    with pytest.raises(ConfigLoadError):
+        options(tmp_path).load_config("study/nowhere")
 
 
 @pytest.mark.parametrize("name", ["config", "settings"])
 def test_the_programs_own_configuration_cannot_be_replaced_from_the_folder(name: str, tmp_path: Path) -> None:
     """Else a harmless-looking file would switch off the checks that a session makes before it runs."""
-    file = write(tmp_path / "mine", name, "seed: 3\nalgo: aco\n")
-    assert refusal("-cd", "mine", *QUICK, cwd=tmp_path).startswith(f"{file}: expected ")
+    file = write(tmp_path, name, "seed: 3\nalgo: aco\n")
+    with pytest.raises(HydraException) as caught:
+        options(tmp_path).load_config(name)
+    assert str(caught.value).startswith(f"{file}: expected options in folders, such as algo/{name}")
+
+
+def test_a_packages_preset_is_refused_as_it_is_in_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write(tmp_path, "algo/nope", HARMLESS)
+    assert options(tmp_path).load_config("algo/nope").config == {"rho": 0.25, "diffusion": {"gamma": 0.5}}
+    monkeypatch.setattr(sources, "plugin_conf_dirs", lambda: {tmp_path: "windy 1.0"})
+    with pytest.raises(SettingsError, match="^algo: expected one of: .*; got 'nope'"):
+        options(tmp_path).load_config("algo/nope")
+
+
+def test_groups_and_options_are_what_there_are_folders_and_files_of(tmp_path: Path) -> None:
+    for name in ("study/wide", "study/deep/er", "study/slow"):
+        write(tmp_path, name, HARMLESS)
+    (tmp_path / "study" / "notes.txt").touch()
+    folder = options(tmp_path)
+    assert folder.list("study", ObjectType.CONFIG) == ["slow", "wide"]
+    assert folder.list("study", ObjectType.GROUP) == ["deep"]
+    assert (folder.is_group("study"), folder.is_group("study/slow"), folder.is_group("nope")) == (
+        True,
+        False,
+        False,
+    )
+    assert (folder.is_config("study/slow"), folder.is_config("study")) == (True, False)
+    assert (folder.available(), options(tmp_path / "nowhere").available()) == (True, False)
+
+
+# --- what workers remember
+
+
+def everything(folder: Any) -> list[Any]:
+    """Ask a folder for all that there is."""
+    return [
+        folder.available(),
+        folder.is_group("study"),
+        folder.is_config("study/slow"),
+        folder.is_config("study/nope"),
+        folder.list("study", None),
+        folder.load_config("study/slow").config,
+    ]
+
+
+def test_for_what_was_asked_nobody_needs_the_folder_any_more(tmp_path: Path) -> None:
+    file = write(tmp_path, "study/slow", HARMLESS)
+    remembered = Remembered(options(tmp_path))
+    before = everything(remembered)
+    file.unlink()
+    file.parent.rmdir()
+    assert everything(remembered) == before == [True, True, True, False, ["slow"], {**before[-1]}]
+
+
+def test_a_copy_remembers_what_the_original_learns(tmp_path: Path) -> None:
+    """Hydra composes each job from a copy of its sources."""
+    file = write(tmp_path, "study/slow", HARMLESS)
+    remembered = Remembered(options(tmp_path))
+    copy = deepcopy(remembered)
+    copy.load_config("study/slow")
+    file.unlink()
+    assert remembered.load_config("study/slow").config == {"rho": 0.25, "diffusion": {"gamma": 0.5}}
+
+
+def test_who_changes_an_answer_changes_it_for_nobody_else(tmp_path: Path) -> None:
+    write(tmp_path, "study/slow", HARMLESS)
+    remembered = Remembered(options(tmp_path))
+    remembered.load_config("study/slow").config.rho = 0.9
+    remembered.list("study", None).append("mine")
+    assert remembered.load_config("study/slow").config.rho == 0.25
+    assert remembered.list("study", None) == ["slow"]
+
+
+def test_what_was_refused_is_refused_again(tmp_path: Path) -> None:
+    write(tmp_path, "study/torn", "rho: [\n")
+    remembered = Remembered(options(tmp_path))
+    for _ in range(2):
+        with pytest.raises(HydraException, match="expected YAML"):
+            remembered.load_config("study/torn")

@@ -14,7 +14,7 @@ from acoexp.command.results import table
 def trial(seed: int, **changes: Any) -> dict[str, Any]:
     """Return a trial as its record has it, with made-up figures."""
     return {
-        "algo": "pdg", "map": "env2", "seed": seed, "cell": "c", "seconds": 0.002,
+        "algo": "pdg", "map": "env2", "seed": seed, "configuration_id": "c", "seconds": 0.002,
         "x1": 5, "x2": 6, "x3": 7, "l1": 11.0, "l2": 12.0, "l1_pair": [11, 0],
         "optimum": 10.0, "optimum_pair": [10, 0], "lost_ants": [1, 0, 1],
         "config": {"algo": "pdg", "map.name": "env2", "seed": str(seed), "rho": "0.5"},
@@ -22,9 +22,13 @@ def trial(seed: int, **changes: Any) -> dict[str, Any]:
 
 
 def config(**changes: str) -> dict[str, Any]:
-    """Return what makes a trial one of another cell."""
+    """Return what makes a trial one of another configuration."""
     base = {"algo": "pdg", "map.name": "env2", "rho": "0.5"}
-    return {"config": base | changes, "cell": json.dumps(changes), **({"algo": changes.get("algo", "pdg")})}
+    return {
+        "config": base | changes,
+        "configuration_id": json.dumps(changes),
+        **({"algo": changes.get("algo", "pdg")}),
+    }
 
 
 def table_of(folder: Path, trials: list[dict[str, Any]], capsys: pytest.CaptureFixture[str]) -> list[list[str]]:

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 import yaml
-from running import run_acoexp, trials
+from running import refusal, run_acoexp, trials
 
 pytestmark = pytest.mark.slow_without_jit
 
@@ -31,6 +31,13 @@ def test_the_objective_of_a_trial_is_its_best_length(tmp_path: Path) -> None:
     assert best["best_value"] == min(trial["l1"] for trial in found.values())
     trial = found[str(best["best_params"]["rho"])]
     assert (trial["algo"], trial["l1"]) == (best["best_params"]["algo"], best["best_value"])
+
+
+def test_a_database_for_the_study_is_refused_before_anything_runs(tmp_path: Path) -> None:
+    pytest.importorskip("hydra_plugins.hydra_optuna_sweeper")
+    storage = "hydra.sweeper.storage=sqlite:///study.db"
+    said = refusal("-m", "hydra/sweeper=optuna", storage, "rho=interval(0.1,0.9)", "tracking=none", cwd=tmp_path)
+    assert said.startswith("hydra.sweeper.storage: expected nothing")
 
 
 def test_the_objective_of_a_batch_is_the_mean_over_its_seeds(tmp_path: Path) -> None:

@@ -1,212 +1,259 @@
-"""A trial in an MLflow store on this machine: whole, or marked as failed; whoever creates the store."""
+"""Trials and batches in an MLflow store: whole or marked as failed, and found again."""
 
 from __future__ import annotations
 
 import dataclasses
-import subprocess
-import sys
+import time
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from mlflow import MlflowClient
 from mlflow.entities import Run
-from running import environment
 
-from acoexp import solve
+from acoexp import Grid
 from acoexp.errors import TrackingError
 from acoexp.registry.resolve import resolve
-from acoexp.tracking.mlflow.tracker import MlflowTracker, _git_commit
+from acoexp.tracking.mlflow.run import RunWriter
+from acoexp.tracking.mlflow.tracker import MlflowTracker
 from acoexp.tracking.setup import Setup, Trial
 from acoexp.trial.result import Result
+from acoexp.trial.seeds import Seeds, parse_seeds
+from acoexp.trial.solver import Solver
+from acoexp.trial.table import aggregate, csv_lines
+from acoexp.trial.trials import Trials
 
-CONFIG = {"algo": "aco", "seed": 0, "map": {"name": "fig13", "path": "yard.txt"}}
-
-
-@pytest.fixture(scope="module")
-def uri(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """Return the address of a store that is ready; making one takes a second."""
-    uri = f"sqlite:///{tmp_path_factory.mktemp('store')}/deeper/mlflow.db"
-    MlflowTracker(uri).prepare()
-    return uri
+YARD = Grid([[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], name="yard")
+SEEDS = parse_seeds("0-9")
 
 
-@pytest.fixture(scope="module")
-def result() -> Result:
-    """Return the result of a short trial."""
-    return solve("fig13", algo="aco", seed=0, iterations=5, ants=4)
+def setup(rho: float, **settings: Any) -> Setup:
+    """Return a setup of quick trials; its rho tells it from those of other tests."""
+    return Setup.of(resolve("aco", {"iterations": 4, "ants": 2, "rho": rho, **settings}), YARD)
 
 
-def runs_in(uri: str) -> list[Run]:
-    """Return all runs in a store, the latest first."""
-    client = MlflowClient(uri)
-    experiment = client.get_experiment_by_name("acoexp")
-    return list(client.search_runs([experiment.experiment_id]))
+def results(what: Setup, seeds: Seeds = SEEDS) -> list[Result]:
+    """Return a setup's trials, run one by one."""
+    return Solver(what.grid, what.settings).solve_many(seeds)
 
 
-def trial(result: Result, **config: Any) -> Trial:
-    """Return a trial that came from ``CONFIG``, but for what is said."""
-    return Trial(Setup(resolve("aco", {}), result.grid, CONFIG | config), result)
+def trial(what: Setup, seed: int = 0) -> Trial:
+    """Return a trial of a setup."""
+    return Trial(what, Solver(what.grid, what.settings).solve(seed))
 
 
-def log(uri: str, result: Result, **config: Any) -> Run:
-    """Log a trial, whether it is there or not, and return its run."""
-    before = {run.info.run_id for run in runs_in(uri)}
-    MlflowTracker(uri).log(trial(result, **config), resume=False)
-    (run,) = (run for run in runs_in(uri) if run.info.run_id not in before)
-    return run
+def runs_of(tracker: MlflowTracker, what: Setup) -> list[Run]:
+    """Return all runs of a setup that are not deleted."""
+    return tracker.store.search(f"tags.cell = '{what.configuration_id}'")
 
 
-def curve_of(uri: str, run: Run) -> dict[int, float]:
-    """Return a run's curve by cycle."""
-    history = MlflowClient(uri).get_metric_history(run.info.run_id, "best_length")
-    assert len(history) == len({point.step for point in history})
-    return {point.step: point.value for point in history}
+def kept(tracker: MlflowTracker, what: Setup, seeds: Seeds = SEEDS) -> list[Trials]:
+    """Return the trials that a store has of a batch, as they were kept."""
+    return list(tracker.find_trials(what.configuration_id, seeds))
 
 
-def test_a_trial_is_one_finished_run(uri: str, result: Result) -> None:
-    run = log(uri, result)
-    assert run.info.status == "FINISHED"
-    assert run.info.run_name == "aco fig13 seed 0"
-    assert run.data.params == {"algo": "aco", "seed": "0", "map.name": "fig13", "map.path": "yard.txt"}
-    assert run.data.metrics["optimum"] == result.optimum
-    assert run.data.metrics["lost_ants"] == result.lost_ants.sum()
-    assert run.data.tags["map.digest"] == result.grid.digest
+# --- trials
 
 
-def test_cycles_in_which_all_ants_were_lost_have_no_point(uri: str, result: Result) -> None:
-    pairs = np.array([[-1, -1], [28, 8], [-1, -1], [30, 6], [-1, -1]], dtype=np.int32)
-    run = log(uri, dataclasses.replace(result, curve_pairs=pairs))
-    assert set(curve_of(uri, run)) == {2, 4}
-    assert not {"l2", "x3"} & set(run.data.metrics)
-    assert {"l1", "x1", "x2"} <= set(run.data.metrics)
+def test_a_trial_is_one_finished_run(tracker: MlflowTracker) -> None:
+    one = trial(setup(0.01), seed=3)
+    tracker.log(one)
+    (run,) = runs_of(tracker, one.setup)
+    assert (run.info.status, run.info.run_name) == ("FINISHED", "aco yard seed 3")
+    assert run.data.params == one.params
+    assert run.data.metrics["l1"] == one.result.l1
+    assert (run.data.tags["identity"], run.data.tags["kind"]) == (one.identity, "trial")
+    assert run.data.tags["map.digest"] == YARD.digest
 
 
-def test_where_no_ant_ever_arrived_there_are_no_features(uri: str, result: Result) -> None:
-    nothing = dataclasses.replace(result, curve_pairs=np.full((5, 2), -1, dtype=np.int32), moves=None)
-    run = log(uri, nothing)
-    assert run.info.status == "FINISHED"
-    assert set(run.data.metrics) == {"optimum", "lost_ants"}
+def test_a_trial_that_was_kept_is_found_under_its_identity(tracker: MlflowTracker) -> None:
+    one = trial(setup(0.02), seed=3)
+    assert (tracker.find(one.setup.configuration_id), tracker.has(one.identity)) == ({}, False)
+    tracker.log(one)
+    found = tracker.find(one.setup.configuration_id)[one.identity]
+    assert (found.trials, found.params["seed"], found.metrics["l1"]) == (1, "3", one.result.l1)
+    assert tracker.has(one.identity)
 
 
-def test_more_points_than_mlflow_takes_at_once_all_arrive(uri: str, result: Result) -> None:
-    pairs = np.stack([np.full(2345, 20), np.arange(2345)], axis=1).astype(np.int32)
-    longer = dataclasses.replace(result, curve_pairs=pairs)
-    assert curve_of(uri, log(uri, longer)) == dict(enumerate(longer.curve.tolist(), 1))
+def test_where_no_ant_ever_arrived_the_run_is_finished_all_the_same(tracker: MlflowTracker) -> None:
+    one = trial(setup(0.03))
+    lost = dataclasses.replace(one.result, curve_pairs=np.full((4, 2), -1, dtype=np.int32), moves=None)
+    tracker.log(Trial(one.setup, lost))
+    assert set(tracker.find(one.setup.configuration_id)[one.identity].metrics) == {"optimum", "lost_ants"}
 
 
-@pytest.mark.parametrize(("characters", "kept_as_param"), [(500, True), (501, False), (9000, False)])
-def test_a_param_too_long_for_mlflow_becomes_an_artifact(
-    uri: str, result: Result, characters: int, kept_as_param: bool, tmp_path: Path
+def test_the_same_trial_is_kept_once_unless_it_is_to_take_the_place_of_the_one_before(
+    tracker: MlflowTracker,
 ) -> None:
-    text = "ä" + "x" * (characters - 1)
-    run = log(uri, result, map={"name": "file", "path": text})
-    assert run.info.status == "FINISHED"
-    assert run.data.params["map.name"] == "file"
-    if kept_as_param:
-        assert run.data.params["map.path"] == text
-    else:
-        assert "map.path" not in run.data.params
-        file = MlflowClient(uri).download_artifacts(run.info.run_id, "params/map.path.txt", str(tmp_path))
-        assert Path(file).read_text(encoding="utf-8") == text
+    one = trial(setup(0.04))
+    for _ in range(2):
+        tracker.log(one)
+    (run,) = runs_of(tracker, one.setup)
+    tracker.log(one, resume=False)
+    (newer,) = runs_of(tracker, one.setup)
+    assert newer.info.run_id != run.info.run_id
+    assert tracker.find(one.setup.configuration_id).keys() == {one.identity}
 
 
-def test_artifacts_lie_beside_the_store(uri: str) -> None:
-    experiment = MlflowClient(uri).get_experiment_by_name("acoexp")
-    folder = Path(uri.removeprefix("sqlite:///")).parent
-    assert experiment.artifact_location == (folder / "artifacts").as_uri()
+def test_a_trial_that_failed_is_kept_with_its_reason_and_not_found(tracker: MlflowTracker) -> None:
+    what = setup(0.05)
+    tracker.log_failure(what, 3, "the part broke")
+    (run,) = runs_of(tracker, what)
+    assert (run.info.status, run.data.tags["reason"], run.data.params["seed"]) == ("FAILED", "the part broke", "3")
+    assert tracker.find(what.configuration_id) == {}
 
 
 @pytest.mark.parametrize("failure", [RuntimeError("disk full\nand more"), KeyboardInterrupt()])
 def test_a_run_that_cannot_be_kept_whole_is_marked_as_failed(
-    uri: str, result: Result, failure: BaseException, monkeypatch: pytest.MonkeyPatch
+    tracker: MlflowTracker, failure: BaseException, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(*_: Any, **__: Any) -> None:
         raise failure
 
-    before = {run.info.run_id for run in runs_in(uri)}
-    monkeypatch.setattr(MlflowClient, "log_batch", fail)
-    with pytest.raises((TrackingError, KeyboardInterrupt)) as caught:
-        MlflowTracker(uri).log(trial(result), resume=False)
-    (run,) = (run for run in runs_in(uri) if run.info.run_id not in before)
-    assert run.info.status == "FAILED"
+    one = trial(setup(0.06, q=1.0 + isinstance(failure, KeyboardInterrupt)))
+    with monkeypatch.context() as full:
+        full.setattr(tracker.store.client, "log_batch", fail)
+        with pytest.raises((TrackingError, KeyboardInterrupt)) as caught:
+            tracker.log(one)
+    assert [run.info.status for run in runs_of(tracker, one.setup)] == ["FAILED"]
     if isinstance(caught.value, TrackingError):
         assert str(caught.value).endswith("does not take a trial: disk full")
 
 
-def test_a_store_that_was_never_prepared_takes_no_trial(result: Result, tmp_path: Path) -> None:
+def test_a_store_that_was_never_prepared_takes_no_trial(fresh: str) -> None:
     with pytest.raises(TrackingError, match=r"no experiment 'acoexp' at sqlite"):
-        MlflowTracker(f"sqlite:///{tmp_path}/x.db").log(trial(result))
+        MlflowTracker(fresh).log(trial(setup(0.07)))
 
 
-def test_preparing_twice_changes_nothing(uri: str) -> None:
-    MlflowTracker(uri).prepare()
-    assert sorted(e.name for e in MlflowClient(uri).search_experiments()) == ["Default", "acoexp"]
-
-
-def test_four_processes_may_create_a_store_at_once(tmp_path: Path) -> None:
-    code = (
-        "from acoexp.tracking.mlflow.tracker import MlflowTracker; MlflowTracker('sqlite:///fresh/x.db').prepare()"
-    )
-    processes = [
-        subprocess.Popen([sys.executable, "-c", code], cwd=tmp_path, env=environment(), stderr=subprocess.PIPE)
-        for _ in range(4)
-    ]
-    said = [process.communicate(timeout=90.0)[1] for process in processes]
-    assert [process.returncode for process in processes] == [0] * 4, said
-    assert (
-        len(MlflowClient(f"sqlite:///{tmp_path}/fresh/x.db").search_experiments(filter_string="name='acoexp'"))
-        == 1
-    )
-
-
-@pytest.mark.parametrize("address", ["sqlite:///{}/my results.db", "sqlite:///{}/x.db?timeout=30"])
-def test_any_address_of_sqlite_works(address: str, result: Result, tmp_path: Path) -> None:
-    uri = address.format(tmp_path)
-    MlflowTracker(uri).prepare()
-    MlflowTracker(uri).log(trial(result), resume=False)
-    assert [run.info.status for run in runs_in(uri)] == ["FINISHED"]
-
-
-def test_a_store_that_became_read_only_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    tracker = MlflowTracker(f"sqlite:///{tmp_path}/x.db")
-    tracker.prepare()
-    monkeypatch.setattr("os.access", lambda *_: False)  # a superuser may write even to what is read-only
-    with pytest.raises(TrackingError, match=r"tracking.uri: expected an MLflow store that can be written.*x\.db"):
-        tracker.prepare()
-
-
-def test_the_commit_of_a_working_directory_in_a_repository_is_a_tag(
-    uri: str, result: Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_two_finished_runs_of_one_identity_become_one_when_they_are_found(
+    tracker: MlflowTracker, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def git(*args: str) -> str:
-        command = ["git", "-c", "user.name=x", "-c", "user.email=x@x", *args]
-        return subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, text=True).stdout.strip()
-
-    git("init", "-q")
-    git("commit", "-q", "--allow-empty", "-m", "x")
-    monkeypatch.chdir(tmp_path)
-    _git_commit.cache_clear()
-    try:
-        assert log(uri, result).data.tags["mlflow.source.git.commit"] == git("rev-parse", "HEAD")
-    finally:
-        _git_commit.cache_clear()
+    one = trial(setup(0.08))
+    with monkeypatch.context() as killed:  # right after it was finished
+        killed.setattr(RunWriter, "_keep_only_this", lambda self, run_id: None)
+        for _ in range(2):
+            tracker.log(one, resume=False)
+    assert len(runs_of(tracker, one.setup)) == 2
+    assert tracker.find(one.setup.configuration_id).keys() == {one.identity}
+    assert len(runs_of(tracker, one.setup)) == 1
 
 
-def test_a_folder_is_no_store_and_that_is_told_at_once(tmp_path: Path) -> None:
-    with pytest.raises(TrackingError, match="unable to open database file"):
-        MlflowTracker(f"sqlite:///{tmp_path}").prepare()
+# --- batches
 
 
-def test_an_experiment_that_was_deleted_in_the_ui_is_brought_back(result: Result, tmp_path: Path) -> None:
-    uri = f"sqlite:///{tmp_path}/mlflow.db"
-    MlflowTracker(uri).prepare()
-    client = MlflowClient(uri)
-    client.delete_experiment(client.get_experiment_by_name("acoexp").experiment_id)
-    MlflowTracker(uri).prepare()
-    assert log(uri, result).info.status == "FINISHED"
+def test_a_batch_is_one_run_with_its_aggregates_and_its_table(tracker: MlflowTracker, tmp_path: Path) -> None:
+    what = setup(0.11)
+    trials = Trials.of(results(what))
+    log = tracker.begin(what, SEEDS)
+    log.keep(trials)
+    log.finish(aggregate(trials.table, YARD.optimum, 4), trials.curves[0], csv_lines(trials.table), {})
+    (run,) = runs_of(tracker, what)
+    assert (run.info.status, run.info.run_name) == ("FINISHED", "aco yard seeds 0-9")
+    assert run.data.params == {**what.params, "seeds": "0-9"}
+    assert (run.data.metrics["trials"], run.data.metrics["failed"]) == (10.0, 0.0)
+    csv = tracker.store.client.download_artifacts(run.info.run_id, "trials.csv", str(tmp_path))
+    assert Path(csv).read_text("utf-8").splitlines() == list(csv_lines(trials.table))
+    assert tracker.find(what.configuration_id)[what.identity(SEEDS)].trials == 10
 
 
-def test_a_password_is_not_shown() -> None:
-    assert "secret" not in MlflowTracker("http://me:secret@server:5000").where
+def test_a_batch_with_trials_that_failed_says_which_and_has_failed(tracker: MlflowTracker, tmp_path: Path) -> None:
+    what = setup(0.12)
+    tracker.begin(what, SEEDS).finish(None, np.zeros(4), [], {4: "the part broke", 7: "so did this"})
+    (run,) = runs_of(tracker, what)
+    assert (run.info.status, run.data.tags["reason"]) == ("FAILED", "2 trials failed: the part broke")
+    said = tracker.store.client.download_artifacts(run.info.run_id, "failed.txt", str(tmp_path))
+    assert Path(said).read_text("utf-8") == "4: the part broke\n7: so did this\n"
+
+
+def test_trials_are_found_by_their_seeds_in_whatever_batch_each_once(tracker: MlflowTracker) -> None:
+    what = setup(0.13)
+    every = results(what, parse_seeds("0-19"))
+    for seeds in ("0-9", "5-14", "15-19"):
+        first, last = (int(seed) for seed in seeds.split("-"))
+        tracker.begin(what, parse_seeds(seeds)).keep(Trials.of(every[first : last + 1]))
+    wanted = parse_seeds("3-12,99")
+    portions = kept(tracker, what, wanted)
+    assert sorted(seed for portion in portions for seed in portion.seeds.tolist()) == list(range(3, 13))
+    assert Trials.joined(portions).table.tobytes() == Trials.of(every[3:13]).table.tobytes()
+    assert kept(tracker, what, parse_seeds("50-60")) == []
+
+
+def test_trials_of_another_configuration_are_not_found(tracker: MlflowTracker) -> None:
+    what = setup(0.14)
+    tracker.begin(what, SEEDS).keep(Trials.of(results(what)))
+    assert kept(tracker, setup(0.141)) == []
+
+
+def test_a_portion_that_was_cut_off_is_left_out_with_a_warning(
+    tracker: MlflowTracker, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    what = setup(0.15)
+    tracker.begin(what, SEEDS).keep(Trials.of(results(what)[:5]))
+    (run,) = runs_of(tracker, what)
+    damaged = tmp_path / "00001.npz"
+    damaged.write_bytes(Trials.of(results(what)[5:]).to_bytes()[:-30])
+    tracker.store.client.log_artifact(run.info.run_id, str(damaged), "trials")
+    assert Trials.joined(kept(tracker, what)).seeds.tolist() == [0, 1, 2, 3, 4]
+    assert [said for said in caplog.messages if said.endswith("trials/00001.npz is damaged and is left out")]
+
+
+def test_of_a_batch_that_two_kept_at_once_the_trials_of_one_stay(
+    tracker: MlflowTracker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    what, looking = setup(0.19), []
+    trials = Trials.of(results(what))
+    keep_only_this = RunWriter._keep_only_this
+    with monkeypatch.context() as late:  # both are finished before either looks for the other
+        late.setattr(RunWriter, "_keep_only_this", lambda self, run_id: looking.append((self, run_id)))
+        for _ in range(2):
+            log = tracker.begin(what, SEEDS)
+            log.keep(trials)
+            log.finish(aggregate(trials.table, YARD.optimum, 4), trials.curves[0], csv_lines(trials.table), {})
+    assert [run.info.status for run in runs_of(tracker, what)] == ["FINISHED"] * 2
+    for writer, run_id in looking:
+        keep_only_this(writer, run_id)
+    assert [run.info.status for run in runs_of(tracker, what)] == ["FINISHED"]
+    assert Trials.joined(kept(tracker, what)).table.tobytes() == trials.table.tobytes()
+
+
+# --- what is left behind
+
+
+def test_a_run_that_a_living_process_writes_is_left_alone(tracker: MlflowTracker) -> None:
+    what = setup(0.16)
+    log = tracker.begin(what, SEEDS)
+    tracker.prepare()
+    assert [run.info.status for run in runs_of(tracker, what)] == ["RUNNING"]
+    log.abandon("enough")
+    assert [run.info.status for run in runs_of(tracker, what)] == ["FAILED"]
+
+
+def test_a_run_whose_process_is_gone_is_closed(tracker: MlflowTracker, monkeypatch: pytest.MonkeyPatch) -> None:
+    what = setup(0.17)
+    tracker.begin(what, SEEDS)
+    monkeypatch.setattr("acoexp.tracking.mlflow.tracker.is_dead", lambda mark: True)
+    tracker.prepare()
+    assert [(run.info.status, run.data.tags["reason"]) for run in runs_of(tracker, what)] == [
+        ("FAILED", "left behind by a process that was killed")
+    ]
+
+
+@pytest.mark.parametrize(("silent_for", "status"), [(599.0, "RUNNING"), (601.0, "FAILED")])
+def test_a_run_of_another_machine_is_closed_after_ten_minutes_of_silence(
+    tracker: MlflowTracker, silent_for: float, status: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    what, now = setup(0.18, alpha=silent_for / 1000.0), time.time()
+    tracker.begin(what, SEEDS)
+    (run,) = runs_of(tracker, what)
+    client = tracker.store.client
+    client.set_tag(run.info.run_id, "owner", "another-host boot space 1 1.00")
+    client.set_tag(run.info.run_id, "alive", str(int((now - silent_for) * 1000)))
+    monkeypatch.setattr("time.time", lambda: now)
+    tracker.prepare()
+    assert [run.info.status for run in runs_of(tracker, what)] == [status]
+
+
+def test_a_run_that_another_program_keeps_in_the_experiment_is_left_alone(tracker: MlflowTracker) -> None:
+    run = tracker.store.client.create_run(tracker.store.experiment_id)
+    tracker.prepare()
+    assert tracker.store.client.get_run(run.info.run_id).info.status == "RUNNING"

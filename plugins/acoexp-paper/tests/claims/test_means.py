@@ -15,6 +15,15 @@ def test_the_mean_of_ten_falls_where_the_binomial_distribution_says() -> None:
     assert (share.value, share.low, share.high) == (5.0, *stats.binom(10, 0.5).interval(0.95))
 
 
+def test_it_falls_in_the_interval_in_95_percent_of_cases() -> None:
+    values = np.random.default_rng(1).normal(3.0, 1.0, 4000)
+    spread = 1.96 * values.std() / np.sqrt(10)
+    interval = mean_of_ten([values])
+    assert (interval.low, interval.high) == pytest.approx(
+        (values.mean() - spread, values.mean() + spread), abs=0.03
+    )
+
+
 def test_over_maps_the_mean_of_ten_is_that_on_one_of_them() -> None:
     spread = mean_of_ten([np.full(50, 1.0), np.full(50, 3.0)])
     assert (spread.value, spread.low, spread.high) == (2.0, 1.0, 3.0)

@@ -6,6 +6,7 @@ import pytest
 from acoexp_paper.claims.kinds import Kind
 from acoexp_paper.claims.statements import CountIs, Every, MeanIs
 from made import N, sample, says
+from scipy import stats
 
 
 @pytest.mark.parametrize(("printed", "expected"), [(5.0, 1), (5.5, 1), (7.0, 0), (3.0, 0)])
@@ -16,6 +17,11 @@ def test_a_printed_mean_is_held_against_means_of_ten(printed: float, expected: i
 @pytest.mark.parametrize(("printed", "expected"), [(3, 1), (5, 1), (10, 0)])
 def test_a_printed_count_is_held_against_counts_of_ten(printed: int, expected: int) -> None:
     assert says(CountIs("found", "aco", printed), aco=sample(found=0.4)) == expected
+
+
+def test_a_printed_count_is_tested_against_all_of_ours() -> None:
+    p, share = CountIs("found", "aco", 8).p_and_effect({"aco": sample()})
+    assert (p, share) == (pytest.approx(stats.fisher_exact([[8, 2], [N, 0]]).pvalue), 1.0)
 
 
 @pytest.mark.parametrize(("share", "expected"), [(1.0, 1), (0.9, 0)])

@@ -17,7 +17,7 @@ SETTINGS = resolve("aco", {})
 
 
 class Laid:
-    """A solver whose ants have laid more with each cycle on two edges into (1, 1), and always 4 on one into (0, 1)."""
+    """A solver whose ants lay more with each cycle on two edges into (1, 1), and always 4 on one into (0, 1)."""
 
     def __init__(self, grid: Grid, settings: Settings) -> None:
         self.cycles = settings.scalars.iterations

@@ -20,7 +20,8 @@ def trial_table(experiment: Experiment, name: str) -> Table:
 def test_table_1_has_the_ten_trials_of_each_algorithm_and_their_average(experiment: Experiment) -> None:
     table = trial_table(experiment, "table1")
     assert table.headings == ["Algorithm", "Seed", "x1", "l1", "x2", "l2", "x3"]
-    assert [row[0] for row in table.rows[::11]] == ["Standard ACO", "ACO-PD", "ACO-PDG"]
+    blocks = [[row[0] for row in table.rows[first : first + 11]] for first in (0, 11, 22)]
+    assert blocks == [[name, *[""] * 9, "Average result"] for name in ("Standard ACO", "ACO-PD", "ACO-PDG")]
     x1 = experiment.main["fig13"]["pd"].features["x1"][:10]
     of_pd = table.rows[11:22]
     assert [row[1:3] for row in of_pd[:10]] == [[str(seed), f"{value:.0f}"] for seed, value in enumerate(x1)]

@@ -8,20 +8,7 @@ from importlib.metadata import version
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.page.contents import document
 from acoexp_paper.page.document import Figure, tables_in
-from small import TRIALS
-
-TABLES = [
-    "table1",
-    "table2",
-    "table3",
-    "averages",
-    "claims",
-    "success",
-    "readings",
-    "reading_claims",
-    "audit",
-    "maps",
-]
+from small import TABLES, TRIALS
 
 
 def test_the_summary_comes_first_and_the_tables_in_their_order(found: Findings) -> None:

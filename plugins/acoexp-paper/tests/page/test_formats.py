@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from acoexp_paper.page.formats import estimate, number, p_value, yes_or_no
+from acoexp_paper.page.formats import estimate, number
 
 from acoexp.compare.statistics import Estimate
 
@@ -23,15 +23,6 @@ def test_the_cycles_of_a_single_trial_have_no_digits() -> None:
 
 def test_an_estimate_stands_with_its_interval() -> None:
     assert estimate("x1", Estimate(7.06, 4.1, np.nan)) == "7.1 [4.1, -]"
-
-
-def test_a_p_value_is_never_written_as_nothing() -> None:
-    assert (p_value(0.0), p_value(0.00099), p_value(0.001), p_value(1.0)) == (
-        "< 0.001",
-        "< 0.001",
-        "0.001",
-        "1.000",
-    )
 
 
 def test_neither_yes_nor_no_is_a_dash() -> None:

@@ -8,9 +8,10 @@ from small import ENSEMBLE_TRIALS, MAPS, TRIALS
 
 
 def test_an_average_is_there_as_it_was_found(found: Findings) -> None:
-    row, record = found.averages[0], records(found)["tables"][0]
+    number, row = next((n, row) for n, row in enumerate(found.averages) if row.inside != row.ensemble_inside)
+    record = records(found)["tables"][number]
     assert (record["table"], record["map"], record["algorithm"], record["column"]) == row.printed[:4]
-    assert (record["published"], record["first_ten"]) == (11.0, row.first_ten)
+    assert (record["published"], record["first_ten"]) == (row.printed.value, row.first_ten)
     assert (record["mean"], *record["interval"]) == row.ours
     assert (record["ensemble_mean"], *record["ensemble_interval"]) == row.ensemble
     assert (record["inside"], record["ensemble_inside"]) == (row.inside, row.ensemble_inside)

@@ -5,14 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from acoexp_paper.published import tables
-from acoexp_paper.published.tables import (
-    COLUMNS,
-    ENVIRONMENTS,
-    TABLE_3_ALGOS,
-    TABLE_3_ENVIRONMENTS,
-    TABLES,
-    TRIALS,
-)
+from acoexp_paper.published.tables import COLUMNS, ENVIRONMENTS, TABLE_3, TABLES, TRIALS
 
 from acoexp.registry.load_map import load_map
 
@@ -34,8 +27,8 @@ def test_a_column_is_that_of_the_rows_in_their_order() -> None:
     assert tables.column(1, "aco", "x1")[:4].tolist() == [10, 14, 7, 15]
 
 
-@pytest.mark.parametrize("env", TABLE_3_ENVIRONMENTS)
-@pytest.mark.parametrize("algo", TABLE_3_ALGOS)
+@pytest.mark.parametrize("env", TABLE_3.environments)
+@pytest.mark.parametrize("algo", TABLE_3.algos)
 def test_in_table_3_all_trials_converge_to_the_published_optimum(env: str, algo: str) -> None:
     assert tables.performance(env, algo, "n_c") == TRIALS
     assert tables.performance(env, algo, "l_bar") == round(ENVIRONMENTS[env].optimum, 4)

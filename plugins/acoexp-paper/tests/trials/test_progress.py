@@ -31,14 +31,15 @@ def test_nothing_is_shown_without_a_terminal(capsys: pytest.CaptureFixture[str])
     assert capsys.readouterr() == ("", "")
 
 
-def test_batches_leave_no_line_in_the_log_until_all_have_run() -> None:
-    level = batch.log.level
+def test_batches_leave_no_line_in_the_log_until_all_have_run(caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.INFO, batch.log.name)
 
     def run() -> None:
         with shown_progress(1):
-            assert batch.log.getEffectiveLevel() == logging.WARNING
+            batch.log.info("one of hundreds")
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         run()
-    assert batch.log.level == level
+    batch.log.info("after them")
+    assert caplog.messages == ["after them"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from acoexp_paper.trials.samples import EVENTS, MEASURES, first_trials, values_of
@@ -43,7 +45,7 @@ def test_a_column_of_the_papers_is_read_from_each_trial(sample: Sample, column: 
 
 
 def test_n_bar_is_of_those_alone_that_found_the_optimum(sample: Sample) -> None:
-    longer = Sample("pd", "yard", 6.0, np.array([False] * 3), sample.features, sample.curves)
+    longer = replace(sample, optimum=6.0, found=np.full(3, False))
     assert np.isnan(values_of(longer, "n_bar")).all()
 
 
@@ -58,6 +60,11 @@ def test_a_trial_without_a_value_ranks_behind_all_others(sample: Sample, measure
 )
 def test_an_event_happens_in_some_trials(sample: Sample, event: str, trials: list[int]) -> None:
     assert EVENTS[event].flags(sample).nonzero()[0].tolist() == trials
+
+
+def test_a_trial_is_steady_only_if_all_three_cycles_are_one(sample: Sample) -> None:
+    cycles = {"x1": np.array([2.0, 2.0, 2.0]), "x2": np.array([2.0, 2.0, 3.0]), "x3": np.array([2.0, 3.0, 3.0])}
+    assert EVENTS["steady"].flags(replace(sample, features=cycles)).tolist() == [True, False, False]
 
 
 def test_the_first_trials_are_cut_from_everything(sample: Sample) -> None:

@@ -47,7 +47,11 @@ class AcoexpSweeper(Sweeper):
     def sweep(self, arguments: list[str]) -> list[Sequence[JobReturn]]:
         """Run the sweep that the command line's overrides describe; return what its jobs returned."""
         from acoexp.command.results.watch import Watched, watching
-        from acoexp.command.sweep.plan import Plan, fix_folder  # Hydra imports this file at every command
+        from acoexp.command.sweep.plan import (  # Hydra imports this file at every command
+            Plan,
+            first_number,
+            fix_folder,
+        )
 
         texts = [*(f"{key}={value}" for key, value in self.params.items()), *arguments]
         overrides = OverridesParser.create(config_loader=self.loader).parse_overrides(texts)
@@ -56,17 +60,21 @@ class AcoexpSweeper(Sweeper):
         plan.prepare(folder)
         OmegaConf.save(self.config, folder / "multirun.yaml")
         left = plan.leave_out_known()
+        if left.repeated:
+            print(f"acoexp: {left.repeated} jobs say what others say, and are run once", file=sys.stderr)
         if left.found:
             print(f"acoexp: {left.found} of {left.trials} trials found in the store", file=sys.stderr)
         watched = Watched(folder=folder, where=plan.where, trials=left.trials, known=left.known, found=left.found)
         with nullcontext() if plan.has_reports else watching(watched):
-            return self._launch(left.missing)
+            return self._launch(left.missing, first_number(folder))
 
-    def _launch(self, jobs: list[list[str]]) -> list[Sequence[JobReturn]]:
+    def _launch(self, jobs: list[list[str]], number: int) -> list[Sequence[JobReturn]]:
+        """Launch jobs, numbered from a number on; raise if any of them failed."""
+        from acoexp.command.sweep.failed import raise_if_failed
+
         size = self.max_batch_size or max(len(jobs), 1)
         returns: list[Sequence[JobReturn]] = []
         for first in range(0, len(jobs), size):
-            returns.append(self.launcher.launch(jobs[first : first + size], initial_job_idx=first))
-            for job in returns[-1]:
-                job.return_value  # noqa: B018, it raises what the job has raised
+            returns.append(self.launcher.launch(jobs[first : first + size], initial_job_idx=number + first))
+            raise_if_failed(returns[-1])
         return returns

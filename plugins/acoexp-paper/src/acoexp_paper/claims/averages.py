@@ -9,16 +9,7 @@ from acoexp.compare.measures import Sample
 from acoexp.compare.statistics import Estimate
 from acoexp_paper.claims.means import mean, mean_of_ten
 from acoexp_paper.published import tables
-from acoexp_paper.published.tables import (
-    ALGOS,
-    COLUMNS,
-    ENVIRONMENTS,
-    TABLE_3_ALGOS,
-    TABLE_3_COLUMNS,
-    TABLE_3_ENVIRONMENTS,
-    TABLES,
-    TRIALS,
-)
+from acoexp_paper.published.tables import ALGOS, COLUMNS, ENVIRONMENTS, TABLE_3, TABLES, TRIALS
 from acoexp_paper.trials.samples import X2_LAST, Samples, values_of
 
 _HALF_A_DIGIT = {"x1": 0.05, "x2": 0.05, X2_LAST: 0.05, "x3": 0.05, "n_bar": 0.05, "n_c": 0.0}
@@ -109,9 +100,9 @@ def printed_averages() -> Iterator[Printed]:
             for column in COLUMNS:
                 yield Printed(table, env, algo, column, tables.average(table, algo, column))
             yield Printed(table, env, algo, X2_LAST, tables.average(table, algo, "x2"))
-    for env in TABLE_3_ENVIRONMENTS:
-        for algo in TABLE_3_ALGOS:
-            for column in TABLE_3_COLUMNS:
+    for env in TABLE_3.environments:
+        for algo in TABLE_3.algos:
+            for column in TABLE_3.columns:
                 yield Printed(3, env, algo, column, tables.performance(env, algo, column))
 
 

@@ -18,7 +18,7 @@ WIDTH = 7.2
 """Inches; two columns of a journal."""
 
 COLOURS = {"aco": ORANGE, "pd": BLUE, "pdg": GREEN, "pf": "#CC79A7"}
-"""Okabe and Ito's, told apart by the colour-blind."""
+"""Okabe and Ito's, which the colour-blind can distinguish."""
 
 DASHES = {"aco": "--", "pd": "-", "pdg": "-.", "pf": ":"}
 HATCHES = {"aco": "//", "pd": "", "pdg": "..", "pf": "xx"}

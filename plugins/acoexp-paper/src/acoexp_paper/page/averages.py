@@ -9,17 +9,7 @@ from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.means import mean
 from acoexp_paper.page.document import Block, Numbers
 from acoexp_paper.page.formats import estimate, number, yes_or_no
-from acoexp_paper.published.tables import (
-    ALGOS,
-    COLUMNS,
-    ENVIRONMENTS,
-    TABLE_3_ALGOS,
-    TABLE_3_COLUMNS,
-    TABLE_3_ENVIRONMENTS,
-    TABLES,
-    TITLES,
-    TRIALS,
-)
+from acoexp_paper.published.tables import ALGOS, COLUMNS, ENVIRONMENTS, TABLE_3, TABLES, TITLES, TRIALS
 from acoexp_paper.trials.experiment import Experiment
 from acoexp_paper.trials.samples import values_of
 
@@ -56,11 +46,11 @@ def _performance(experiment: Experiment) -> Table:
             TITLES[algo],
             *(
                 _of_ten(experiment.main[env][algo], name)
-                for env in TABLE_3_ENVIRONMENTS
-                for name in TABLE_3_COLUMNS
+                for env in TABLE_3.environments
+                for name in TABLE_3.columns
             ),
         ]
-        for algo in TABLE_3_ALGOS
+        for algo in TABLE_3.algos
     ]
     note = (
         f"In the paper's form, seeds 0 to {TRIALS - 1}, on {_map_of(experiment, 'env1')} and "
@@ -68,7 +58,7 @@ def _performance(experiment: Experiment) -> Table:
         "cells; n: mean cycle of finding, over those that did. ACO-PF is a reconstruction: its formulas are in "
         "no public source."
     )
-    headings = [f"{env} {name}" for env in TABLE_3_ENVIRONMENTS for name in ("n_c", "l", "n")]
+    headings = [f"{env} {name}" for env in TABLE_3.environments for name in ("n_c", "l", "n")]
     title = "Table 3. Comparison of the performance for the two methods"
     return Table(title, note, ["Algorithm", *headings], rows)
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from acoexp.compare.tables import Table, interval
+from acoexp.compare.tables import Table, interval, p_value
 from acoexp_paper.claims.kinds import Finding
 from acoexp_paper.claims.verdicts import Judged
 from acoexp_paper.page.document import Block, Numbers, Text
-from acoexp_paper.page.formats import p_value
 
 _VERDICTS = (
     "A claim holds, or its opposite does, if at least four fifths of the maps say so and none says the "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from importlib.metadata import version
 
 from acoexp.compare.measures import configuration_row
@@ -55,7 +56,9 @@ def _lead(experiment: Experiment) -> str:
 
 
 def _success(experiment: Experiment) -> Table:
-    rows = [configuration_row(sample) for samples in experiment.main.values() for sample in samples.values()]
-    for row in rows:
-        row["cell"] = TITLES[row["cell"]]
+    rows = [
+        configuration_row(replace(sample, configuration=TITLES[algo]))
+        for samples in experiment.main.values()
+        for algo, sample in samples.items()
+    ]
     return success_table(rows)._replace(title="Success and expected running time.")

@@ -27,8 +27,3 @@ def estimate(column: str, estimate: Estimate) -> str:
 def yes_or_no(flag: bool | None) -> str:
     """Return yes or no, a dash for neither."""
     return "-" if flag is None else "yes" if flag else "no"
-
-
-def p_value(p: float) -> str:
-    """Return a p value with three digits."""
-    return "< 0.001" if p < 0.001 else f"{p:.3f}"

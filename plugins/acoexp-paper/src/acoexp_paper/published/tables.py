@@ -22,11 +22,6 @@ ALGOS = ("aco", "pd", "pdg")
 COLUMNS = ("x1", "l1", "x2", "l2", "x3")
 """The columns of Tables 1 and 2, in the paper's order."""
 
-TABLE_3_ENVIRONMENTS, TABLE_3_ALGOS = ("env1", "env2"), ("pf", "pdg")
-
-TABLE_3_COLUMNS = ("n_c", "l_bar", "n_bar")
-"""Trials that found the optimum, mean l2, mean x1 of those that found it."""
-
 TITLES = {"aco": "Standard ACO", "pd": "ACO-PD", "pdg": "ACO-PDG", "pf": "ACO-PF"}
 """What the paper calls the presets."""
 
@@ -35,6 +30,23 @@ NAMES = {**TITLES, "aco": "standard ACO"}
 
 TRIALS = 10
 """Trials behind each of the paper's averages."""
+
+
+class Performance(NamedTuple):
+    """What Table 3 is about.
+
+    Attributes:
+        environments: Its environments.
+        algos: Its algorithms.
+        columns: Trials that found the optimum, mean l2, mean x1 of those that found it.
+    """
+
+    environments: tuple[str, ...] = ("env1", "env2")
+    algos: tuple[str, ...] = ("pf", "pdg")
+    columns: tuple[str, ...] = ("n_c", "l_bar", "n_bar")
+
+
+TABLE_3 = Performance()
 
 
 class Environment(NamedTuple):

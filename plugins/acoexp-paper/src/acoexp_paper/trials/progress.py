@@ -18,15 +18,15 @@ def shown_progress(trials: int) -> Iterator[Callable[[str, int], None]]:
         trials: How many there will be in all batches.
     """
     console = Console(stderr=True)
-    columns = (
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("trials"),
-        TimeElapsedColumn(),
-        TextColumn("{task.description}"),
-    )
+    columns = BarColumn(), MofNCompleteColumn(), TextColumn("trials"), TimeElapsedColumn()
     finished: dict[str, int] = {}
-    display = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
+    display = Progress(
+        *columns,
+        TextColumn("{task.description}"),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
     with _no_line_per_batch(), display as progress:
         task = progress.add_task("", total=trials)
 

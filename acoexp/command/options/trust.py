@@ -1,0 +1,102 @@
+"""Trust: what an option file may say. It may come from anybody, so it sets values and reaches nothing else.
+
+The command line itself is trusted: whoever types it may run what they like.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import PurePosixPath
+from typing import Any
+
+from hydra.errors import HydraException
+
+_RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
+_PLAIN_REFERENCE = re.compile(r"\$\{[\w.\[\]-]*\}")
+_ADDRESS = re.compile(r"(^|[./@])tracking([./@].*)?$")
+
+
+def check_option(file: str, config_path: str, package: str, content: Any) -> None:
+    """Refuse an option file that reaches for more than acoexp's own settings.
+
+    Args:
+        file: What it is called in messages.
+        config_path: Where it stands among the options, such as ``algo/mine``.
+        package: Where its content goes, by its header; empty for its group.
+        content: Its content, unresolved.
+
+    Raises:
+        HydraException: if it sets ``hydra.*`` or ``_target_``; takes options from outside the folders of options;
+            reads the environment or files by a resolver; or says where results go.
+    """
+    if _RUNS_CODE.search(f"{config_path} {package}") or any(map(_RUNS_CODE.search, _named(content))):
+        raise HydraException(
+            f"{file}: expected settings of acoexp only; an option file may not set hydra.* or _target_, which run "
+            "code"
+        )
+    for path in _defaults(content):
+        if ".." in PurePosixPath(path).parts or path.startswith(("/", "~")) or "\\" in path:
+            raise HydraException(
+                f"{file}: expected names of options in its defaults; got {path!r}, which leads out of the folders"
+            )
+    for text in _texts(content):
+        if "${" in _PLAIN_REFERENCE.sub("", text):
+            raise HydraException(
+                f"{file}: expected plain values, or references such as ${{ants}}; an option file may not read the "
+                f"environment or files: got {text!r}"
+            )
+    if _sets_address(content, bool(_ADDRESS.search(package or config_path.rpartition("/")[0]))):
+        raise HydraException(
+            f"{file}: expected no tracking.uri; where results go is said on the command line: tracking.uri=..."
+        )
+
+
+def _named(content: Any, in_defaults: bool = False) -> Iterator[str]:
+    """Yield every key, and every text of a defaults list."""
+    if isinstance(content, dict):
+        for key, value in content.items():
+            yield str(key)
+            yield from _named(value, in_defaults or str(key) == "defaults")
+    elif isinstance(content, list):
+        for item in content:
+            yield from _named(item, in_defaults)
+    elif in_defaults:
+        yield str(content)
+
+
+def _defaults(content: Any) -> Iterator[str]:
+    """Yield what a file's defaults list names: options, and for a group the options chosen from it."""
+    entries = content.get("defaults", []) if isinstance(content, dict) else []
+    for entry in entries if isinstance(entries, list) else []:
+        if isinstance(entry, dict):
+            for group, chosen in entry.items():
+                yield str(group).rpartition(" ")[2].removeprefix("/")
+                yield from map(str, chosen if isinstance(chosen, list) else [chosen])
+        else:
+            yield str(entry)
+
+
+def _texts(content: Any) -> Iterator[str]:
+    """Yield every text in a file's content, keys among them."""
+    if isinstance(content, dict):
+        for key, value in content.items():
+            yield str(key)
+            yield from _texts(value)
+    elif isinstance(content, list):
+        for item in content:
+            yield from _texts(item)
+    elif isinstance(content, str):
+        yield content
+
+
+def _sets_address(content: Any, within: bool) -> bool:
+    """Tell whether a file sets ``uri`` within ``tracking``."""
+    if not isinstance(content, dict):
+        return False
+    return any(
+        (within and str(key) == "uri")
+        or re.fullmatch(r"tracking\.uri", str(key)) is not None
+        or _sets_address(value, within or str(key) == "tracking")
+        for key, value in content.items()
+    )

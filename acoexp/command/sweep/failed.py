@@ -1,0 +1,39 @@
+"""What became of the jobs of a sweep that failed: a line for each, and an error for all."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import redirect_stderr
+from io import StringIO
+
+from hydra.core.utils import JobReturn, JobStatus
+
+from acoexp.command.messages import in_one_line
+from acoexp.console.ending import print_error
+from acoexp.errors import AcoexpError
+
+
+class JobsFailedError(AcoexpError):
+    """Jobs of a sweep failed; each has been told of."""
+
+
+def raise_if_failed(jobs: Sequence[JobReturn]) -> None:
+    """Print a line for each job that failed, with what it was told and why.
+
+    Raises:
+        JobsFailedError: if there is one.
+        Exception: what a job raised, if it is none of ours: its traceback is needed.
+    """
+    failed = [job for job in jobs if job.status != JobStatus.COMPLETED]
+    for job in failed:
+        print_error(f"{' '.join(job.overrides or ())}: {_reason(job)}")
+    if failed:
+        raise JobsFailedError(f"{len(failed)} of {len(jobs)} jobs failed; the others are kept")
+
+
+def _reason(job: JobReturn) -> str:
+    try:
+        with redirect_stderr(StringIO()):  # Hydra would print a line of its own
+            return str(job.return_value)
+    except AcoexpError as problem:
+        return in_one_line(problem)

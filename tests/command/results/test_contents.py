@@ -1,0 +1,93 @@
+"""What records say: the same of a trial or a batch that was run as of one that was found in the store."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from acoexp import Grid, StrategyError
+from acoexp.command.results.contents import batch_record, found_record, trial_record
+from acoexp.command.results.rows import Row, rows_of
+from acoexp.registry.resolve import resolve
+from acoexp.tracking.mlflow.content import batch_metrics, trial_metrics
+from acoexp.tracking.setup import Found, Setup, Trial
+from acoexp.trial.batch import Batch
+from acoexp.trial.failures import Failure
+from acoexp.trial.features import without_nan
+from acoexp.trial.seeds import parse_seeds
+from acoexp.trial.solver import Solver
+from acoexp.trial.table import aggregate
+from acoexp.trial.trials import Trials
+
+YARD = Grid([[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], name="yard")
+SETUP = Setup.of(resolve("aco", {"iterations": 4, "ants": 2}), YARD)
+SEEDS = parse_seeds("0-9")
+
+
+@pytest.fixture(scope="module")
+def trials() -> list[Trial]:
+    """Return short trials."""
+    return [Trial(SETUP, result) for result in Solver(YARD, SETUP.settings).solve_many(SEEDS)]
+
+
+@pytest.fixture(scope="module")
+def batch(trials: list[Trial]) -> Batch:
+    """Return a batch of these trials, half of which were found."""
+    columns = Trials.of([trial.result for trial in trials])
+    return Batch(columns.table, columns.curves.mean(axis=0), [], ran=5, seconds=0.5)
+
+
+def metrics(points: Any) -> dict[str, float]:
+    """Return metrics as the store has them."""
+    return {point.key: point.value for point in points if point.key != "best_length"}
+
+
+def row(record: dict[str, Any]) -> Row:
+    """Return the row of a record that was written and read."""
+    (made,) = rows_of([json.loads(json.dumps(without_nan(record)))])
+    return made
+
+
+def test_a_trial_says_everything_and_whose_it_is(trials: list[Trial]) -> None:
+    record = trial_record(trials[3], 0.25)
+    assert {key: record[key] for key in trials[3].result.as_dict()} == trials[3].result.as_dict()
+    assert (record["seconds"], record["configuration_id"]) == (0.25, SETUP.configuration_id)
+    assert record["config"] == {**SETUP.params, "seed": "3"}
+
+
+def test_a_batch_says_what_its_trials_say_together(batch: Batch) -> None:
+    record = batch_record(SETUP, SEEDS, batch)
+    assert (record["algo"], record["map"], record["optimum"]) == ("aco", "yard", YARD.optimum)
+    assert record["config"] == {**SETUP.params, "seeds": "0-9"}
+    assert record["means"] == aggregate(batch.table, YARD.optimum, 4).means
+    assert (record["trials"], record["ran"], record["seconds"], record["failed"]) == (10, 5, 0.1, 0)
+
+
+def test_a_batch_that_was_found_whole_took_no_time(batch: Batch) -> None:
+    assert batch_record(SETUP, SEEDS, batch._replace(ran=0, seconds=0.0))["seconds"] is None
+
+
+def test_a_batch_counts_what_failed(batch: Batch) -> None:
+    failed = [Failure(10, StrategyError("the part broke"))]
+    assert batch_record(SETUP, parse_seeds("0-10"), batch._replace(failures=failed))["failed"] == 1
+
+
+def test_a_trial_that_was_found_has_the_row_of_one_that_was_run(trials: list[Trial]) -> None:
+    for trial in trials:
+        found = Found(1, metrics(trial_metrics(trial.result)), trial.params)
+        run, known = row(trial_record(trial, 0.002)), row(found_record(SETUP, found))
+        assert (run.milliseconds, math.isnan(known.milliseconds)) == (2.0, True)
+        np.testing.assert_equal(known._replace(milliseconds=2.0)._asdict(), run._asdict())
+
+
+def test_a_batch_that_was_found_has_the_row_of_one_that_was_run(batch: Batch) -> None:
+    summary = aggregate(batch.table, YARD.optimum, 4)
+    points = metrics(batch_metrics(summary, batch.curve, 0, YARD.optimum))
+    found = found_record(SETUP, Found(10, points, {**SETUP.params, "seeds": "0-9"}))
+    run = row(batch_record(SETUP, SEEDS, batch))
+    np.testing.assert_equal(row(found)._replace(milliseconds=100.0)._asdict(), run._asdict())
+    assert run.milliseconds == pytest.approx(100.0)
