@@ -9,6 +9,9 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 from typing import Any
 
+_LONGEST = 200
+"""Characters of what came that a message shows."""
+
 
 class AcoexpError(Exception):
     """Base of all errors that acoexp raises on purpose: one sentence for the user, no traceback needed."""
@@ -32,6 +35,17 @@ class TrackingError(AcoexpError, OSError):
 
 class StoreGoneError(TrackingError):
     """The store was there and has been away for longer than one waits for it."""
+
+
+def shown(value: Any) -> str:
+    """Return what came as a message shows it: a text in quotes, and of what is very long its beginning."""
+    if isinstance(value, int) and abs(value) >= 10**_LONGEST:
+        return f"a number of more than {_LONGEST} digits"  # Python refuses to write thousands of them out
+    try:
+        text = repr(value)
+    except ValueError:  # such a number is somewhere within
+        text = f"a {type(value).__name__}"
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}... ({len(text)} characters)"
 
 
 def did_you_mean(given: Any, known: Iterable[str]) -> str:

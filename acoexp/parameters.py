@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from acoexp.errors import SettingsError, did_you_mean
+from acoexp.errors import SettingsError, did_you_mean, shown
 
 _KINDS = (float, int, str, bool, tuple[str, ...], tuple[int, int])
 """The types that a parameter may have, each also with ``| None``."""
@@ -96,6 +96,11 @@ def check(owner: type, values: Mapping[str, Any], prefix: str = "") -> dict[str,
     return {n: _checked(prefix + n, value, hints[n], declared[n]) for n, value in values.items()}
 
 
+def kind_of(owner: type, name: str) -> Any:
+    """Return the type that a parameter has where it is not None."""
+    return _kind(typing.get_type_hints(owner)[name])
+
+
 def check_declarations(owner: type) -> None:
     """Refuse a dataclass whose fields are not all parameters of types that a value can be checked for.
 
@@ -149,7 +154,7 @@ def _checked(key: str, value: Any, hint: Any, field: dataclasses.Field[Any]) -> 
         return None
     converted = _converted(value, _kind(hint))
     if converted is None or not _within(converted, field.metadata):
-        came = "nothing" if value is None or _is_missing(value) else repr(value)
+        came = "nothing" if value is None or _is_missing(value) else shown(value)
         raise SettingsError(f"{key}: expected {expected(hint, field)}; got {came}")
     return converted
 

@@ -12,30 +12,21 @@ import hashlib
 import logging
 import os
 import pickle
-import shutil
-import sys
-import time
 from contextlib import nullcontext
-from functools import cache
 from pathlib import Path
 from typing import Any
 
-import llvmlite.binding
 import numba
-import platformdirs
 from filelock import FileLock
 from numba.core.caching import _Cache
 from numba.core.compiler import CompileResult
 
+from acoexp.colony.cache_folder import is_ours, usable_folder
+from acoexp.colony.digest import digest_of
+
 log = logging.getLogger(__name__)
 
-_UNUSED_AFTER = 60 * 24 * 3600.0
 _CHECKSUM_BYTES = 32
-_NOT_OF_THE_CODE = {"NUMBA_NUM_THREADS"}
-"""Settings of numba's that change no machine code; joblib gives its workers one."""
-
-_failed: dict[tuple[Any, Any], Exception] = {}
-"""Why a loop cannot be compiled: the jobs of a sweep need not try it one after the other."""
 
 
 def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) -> None:
@@ -55,17 +46,19 @@ def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) 
     signature = tuple(typeof(argument) for argument in example)
     if signature in loop.overloads:
         return
-    if (loop, signature) in _failed:
-        raise _failed[loop, signature]
+    failed: dict[Any, Exception] = loop.__dict__.setdefault("failed", {})
+    if signature in failed:  # the jobs of a sweep need not try it one after the other
+        raise failed[signature]
     try:
         _compile_or_load(loop, kernels, signature)
     except Exception as problem:
-        _failed[loop, signature] = problem
+        failed[signature] = problem
         raise
 
 
 def _compile_or_load(loop: Any, kernels: tuple[Any, ...], signature: tuple[Any, ...]) -> None:
-    folder = _usable_folder(kernels)
+    digest = digest_of(kernels)
+    folder = None if digest is None else usable_folder(digest)
     if folder is not None:
         loop._cache = KernelCache(folder)
         if loop._cache.file_of(signature).exists():
@@ -98,7 +91,7 @@ class KernelCache(_Cache):
         """Return the compiled function, or None if it is not there or damaged."""
         file = self.file_of(sig)
         try:
-            content = file.read_bytes()
+            content = file.read_bytes() if is_ours(file) else b""
         except OSError:
             return None
         checksum, payload = content[:_CHECKSUM_BYTES], content[_CHECKSUM_BYTES:]
@@ -131,81 +124,3 @@ class KernelCache(_Cache):
 
     def flush(self) -> None:
         """Do nothing: digests that are no longer asked for are pruned."""
-
-
-def cache_root() -> Path:
-    """Return the folder of all kernel caches of this user."""
-    return Path(platformdirs.user_cache_dir("acoexp")) / "kernels"
-
-
-def _usable_folder(kernels: tuple[Any, ...]) -> Path | None:
-    """Return the folder for these kernels, made if need be; None if they can't be kept."""
-    digest = digest_of(kernels)
-    if digest is None:
-        return None
-    folder = cache_root() / digest
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        os.utime(folder)
-        if not (folder / "lock").exists():
-            _prune(folder.parent)
-            (folder / "lock").touch()
-    except OSError as problem:
-        log.warning("the kernel cache cannot be used, so every process compiles for itself: %s", problem)
-        return None
-    return folder
-
-
-def digest_of(kernels: tuple[Any, ...]) -> str | None:
-    """Return a digest of all that the machine code of these kernels depends on.
-
-    None if that can't be known: for a kernel made in a notebook, or inside a function.
-    """
-    parts = [sys.version, numba.__version__, llvmlite.__version__]
-    parts += [llvmlite.binding.get_host_cpu_name(), llvmlite.binding.get_host_cpu_features().flatten()]
-    said = {key: value for key, value in os.environ.items() if key.startswith("NUMBA_")}
-    parts += sorted(f"{key}={value}" for key, value in said.items() if key not in _NOT_OF_THE_CODE)
-    packages = {__name__.partition(".")[0]}
-    for kernel in kernels:
-        function = getattr(kernel, "py_func", kernel)
-        if function is not None:
-            if function.__module__ == "__main__" or function.__closure__ or "<" in function.__qualname__:
-                return None
-            packages.add(function.__module__.partition(".")[0])
-            function = f"{function.__module__}:{function.__qualname__}"
-        parts.append(str(function))
-    sources = [digest_of_sources(package) for package in sorted(packages)]
-    if None in sources:
-        return None
-    return hashlib.sha256(repr((parts, sources)).encode()).hexdigest()[:32]
-
-
-@cache
-def digest_of_sources(package: str, only: tuple[str, ...] | None = None) -> str | None:
-    """Return a digest of the source files of a top-level package, as they are when first asked for.
-
-    Args:
-        package: Its name; None comes back if it is not imported, or has no files.
-        only: Folders and files at its top that count; all of them by default.
-    """
-    if package not in sys.modules:
-        return None
-    module = sys.modules[package]
-    folders = [Path(folder) for folder in getattr(module, "__path__", [])]
-    files = [(f.relative_to(folder), f) for folder in folders for f in folder.rglob("*.py")]
-    files = [(name, f) for name, f in files if only is None or name.parts[0] in only]
-    if not folders:
-        if getattr(module, "__file__", None) is None:
-            return None
-        files = [(Path(package), Path(str(module.__file__)))]
-    digest = hashlib.sha256()
-    for name, file in sorted(files):
-        digest.update(f"{name}\0".encode() + file.read_bytes() + b"\0")
-    return digest.hexdigest()
-
-
-def _prune(root: Path) -> None:
-    """Remove what has not been asked for in sixty days."""
-    for folder in root.iterdir():
-        if time.time() - folder.stat().st_mtime > _UNUSED_AFTER:
-            shutil.rmtree(folder, ignore_errors=True)

@@ -14,7 +14,6 @@ import numpy as np
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
-from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
@@ -76,7 +75,7 @@ class Job:
         report: The report that is asked for, or None.
 
     Raises:
-        AcoexpError: if anything in it is wrong; nothing has been written then.
+        AcoexpError, OmegaConfBaseException: if anything in it is wrong; nothing has been written then.
     """
 
     def __init__(self, config: DictConfig, handover: Handover) -> None:
@@ -234,8 +233,5 @@ def _draw(result: Result, folder: Path) -> None:
 
 def _plain(config: DictConfig) -> dict[str, Any]:
     ours = [str(key) for key in config if key != "hydra"]
-    try:
-        plain = OmegaConf.to_container(OmegaConf.masked_copy(config, ours), resolve=True)
-    except OmegaConfBaseException as problem:
-        raise SettingsError(str(problem).splitlines()[0]) from problem
+    plain = OmegaConf.to_container(OmegaConf.masked_copy(config, ours), resolve=True)
     return {str(key): value for key, value in plain.items()} if isinstance(plain, dict) else {}

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
-from omegaconf import DictConfig
+from omegaconf import DictConfig, OmegaConf
+from omegaconf.errors import InterpolationResolutionError
 
+from acoexp.command.options.reading import line_to_type
+from acoexp.console.plain import one_line
 from acoexp.errors import did_you_mean
 from acoexp.registry.entries import GROUPS, not_found
 from acoexp.registry.parts import key_of_another
@@ -21,7 +25,9 @@ _EXTRAS = {
 
 def in_one_line(problem: Exception) -> str:
     """Return an error's message as one line."""
-    text = " ".join(str(problem).partition("Config search path")[0].split())
+    if isinstance(problem, InterpolationResolutionError):
+        return _unresolved(problem)
+    text = one_line(str(problem).partition("Config search path")[0])
     unknown = re.match(r"Could not override '([^']+)'", text)
     if unknown:
         return _unknown_key(unknown[1], getattr(problem.__cause__, "parent_node", None))
@@ -33,6 +39,17 @@ def in_one_line(problem: Exception) -> str:
     if missing:
         return not_found(missing[1], missing[2], missing[3].split())
     return text or type(problem).__name__
+
+
+def _unresolved(problem: InterpolationResolutionError) -> str:
+    """Say which key's reference leads nowhere, and how its text is written if it was meant to be none."""
+    key, said = str(problem.full_key), str(problem).splitlines()[0]
+    if key.startswith("hydra."):  # names of its folders cannot have it
+        return f"{key}: {said}"
+    values: Any = OmegaConf.to_container(problem.parent_node, resolve=False) if problem.parent_node else {}
+    text = values[problem.key] if isinstance(values, dict) else None
+    what = f"type {line_to_type(key, text)}" if isinstance(text, str) else "write it as '\\${'"
+    return f"{key}: {said}; where '${{' is meant as it stands, {what}"
 
 
 def _unknown_key(key: str, node: DictConfig | None) -> str:

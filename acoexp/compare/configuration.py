@@ -10,7 +10,8 @@ from omegaconf import OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 from yaml import YAMLError
 
-from acoexp.errors import SettingsError, StrategyError
+from acoexp.console.plain import printable
+from acoexp.errors import SettingsError, StrategyError, shown
 from acoexp.registry.resolve import resolve
 from acoexp.strategies.groups import STRATEGY_GROUPS
 from acoexp.trial.settings import Settings
@@ -44,7 +45,7 @@ def parse_configurations(texts: Sequence[str], base: Mapping[str, Any]) -> list[
         SettingsError: for a text that does not describe a configuration, fewer than two, or one given twice.
         StrategyError: for a part whose package cannot be imported.
     """
-    parsed = [_parse(" ".join(text.split()), base) for text in texts]
+    parsed = [_parse(printable(" ".join(text.split())), base) for text in texts]
     labels = [one.label for one in parsed]
     if len(labels) < 2 or len(set(labels)) < len(labels):
         raise SettingsError(f"report.cells: expected two or more, each different; got {labels}")
@@ -62,7 +63,7 @@ def _parse(text: str, base: Mapping[str, Any]) -> Configuration:
             merged["field"] = {**base["field"], **given["field"]}
         return Configuration(label, described, resolve(algo, merged))
     except (SettingsError, StrategyError) as problem:
-        raise type(problem)(f"report.cells: {text!r}: {problem}") from problem
+        raise type(problem)(f"report.cells: {shown(text)}: {problem}") from problem
 
 
 def _nested(overrides: Sequence[str]) -> dict[str, Any]:
@@ -71,7 +72,7 @@ def _nested(overrides: Sequence[str]) -> dict[str, Any]:
     for override in overrides:
         key, equals, value = override.partition("=")
         if not key or not equals:
-            raise SettingsError(f"expected key=value; got {override!r}")
+            raise SettingsError(f"expected key=value; got {shown(override)}")
         dotted.append(f"{key}.name={value}" if key in STRATEGY_GROUPS else override)
     try:
         nested = OmegaConf.to_container(OmegaConf.from_dotlist(dotted), resolve=False)

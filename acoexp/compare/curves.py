@@ -10,9 +10,11 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import StrMethodFormatter
 
 from acoexp.compare.measures import Sample
+from acoexp.report.labels import any_signs, as_it_is
 from acoexp.report.palette import DASHES, SERIES
 
 
@@ -23,13 +25,23 @@ def draw_curves(samples: Sequence[Sample], folder: Path) -> None:
     panels = figure.subplots(len(maps), squeeze=False)[:, 0]
     for name, axes in zip(maps, panels, strict=True):
         _draw(axes, [sample for sample in samples if sample.map == name])
-    lines, labels = panels[0].get_legend_handles_labels()
-    title = "median and quartiles over trials"
-    figure.legend(lines, labels, title=title, loc="outside lower center", ncols=2, frameon=False)
+    _add_legend(
+        figure, panels[0].get_lines(), [sample.configuration for sample in samples if sample.map == maps[0]]
+    )
     FigureCanvasAgg(figure)
-    with rc_context({"svg.hashsalt": "acoexp"}):
-        figure.savefig(folder / "curves.svg", metadata={"Date": None})
-    figure.savefig(folder / "curves.png", dpi=150)
+    with any_signs():
+        with rc_context({"svg.hashsalt": "acoexp"}):
+            figure.savefig(folder / "curves.svg", metadata={"Date": None})
+        figure.savefig(folder / "curves.png", dpi=150)
+
+
+def _add_legend(figure: Figure, lines: Sequence[Line2D], configurations: Sequence[str]) -> None:
+    """Name the curves; by texts that are set later, as a legend leaves out what begins with ``_``."""
+    title, labels = "median and quartiles over trials", [*map(as_it_is, configurations), "exact optimum"]
+    blanks = [" "] * len(labels)
+    legend = figure.legend(lines, blanks, title=title, loc="outside lower center", ncols=2, frameon=False)
+    for text, label in zip(legend.get_texts(), labels, strict=True):
+        text.set_text(label)
 
 
 def _draw(axes: Axes, samples: Sequence[Sample]) -> None:
@@ -39,9 +51,9 @@ def _draw(axes: Axes, samples: Sequence[Sample]) -> None:
         cycles = np.arange(1, sample.iterations + 1)
         colour = SERIES[place % len(SERIES)]
         axes.fill_between(cycles, lower, upper, color=colour, alpha=0.15, linewidth=0)
-        axes.plot(cycles, median, DASHES[place % len(DASHES)], color=colour, label=sample.configuration)
-    axes.axhline(optimum, color="0.4", linewidth=0.8, label="exact optimum")
-    axes.set(title=f"{samples[0].map}, optimum {optimum:.4f}", xscale="log")
+        axes.plot(cycles, median, DASHES[place % len(DASHES)], color=colour)
+    axes.axhline(optimum, color="0.4", linewidth=0.8)
+    axes.set(title=f"{as_it_is(samples[0].map)}, optimum {optimum:.4f}", xscale="log")
     axes.set(xlabel="cycle (log scale)", ylabel="best path length in the cycle (cells)")
     axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
 

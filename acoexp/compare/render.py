@@ -26,15 +26,24 @@ svg { max-width: 100%; height: auto; }
 _LATEX = {
     **{mark: rf"\{mark}" for mark in "&%$#_{}"},
     "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
-    "±": r"$\pm$", "∞": r"$\infty$", "<": "$<$", ">": "$>$",
+    "±": r"$\pm$", "∞": r"$\infty$", "<": "$<$", ">": "$>$", "--": "-{}-",
 }  # fmt: skip
+_LATEX_MARKS = re.compile(r"--|[\\~^&%$#_{}±∞<>]")
+
+_MARKDOWN_MARKS = re.compile(
+    r"[\\`*$~|]"
+    r"|<(?=[A-Za-z/!?])|&(?=#?\w+;)"  # HTML's tags and entities
+    r"|\](?=\()"  # links
+    r"|(?<![^\W_])_|_(?![^\W_])"  # but not within a word
+)
+"""What Markdown, as GitHub has it, takes for more than itself."""
 
 
 def as_markdown(title: str, lead: str, tables: Sequence[Table], picture: str) -> str:
     """Return a page with all tables and a link to the picture."""
-    blocks = [f"# {title}", lead]
+    blocks = [f"# {markdown_text(title)}", markdown_text(lead)]
     for table in tables:
-        blocks += [f"## {table.title}", table.note, markdown_table(table)]
+        blocks += [f"## {markdown_text(table.title)}", markdown_text(table.note), markdown_table(table)]
     blocks += ["## Convergence", f"![Median and quartiles of the best length in each cycle]({picture})"]
     return "\n\n".join(blocks) + "\n"
 
@@ -63,6 +72,11 @@ def markdown_table(table: Table) -> str:
     """Return a table alone, without its title and note, as Markdown."""
     lines = [_pipes(table.headings), _pipes(["---"] * len(table.headings)), *map(_pipes, table.rows)]
     return "\n".join(lines)
+
+
+def markdown_text(text: str) -> str:
+    """Return a text in one line of Markdown, in which every sign stands for itself."""
+    return _MARKDOWN_MARKS.sub(r"\\\g<0>", " ".join(text.splitlines()))
 
 
 def html_table(table: Table) -> str:
@@ -98,11 +112,11 @@ def _plain(value: Any) -> Any:
 
 
 def _pipes(texts: Sequence[str]) -> str:
-    return "| " + " | ".join(text.replace("|", r"\|") for text in texts) + " |"
+    return "| " + " | ".join(map(markdown_text, texts)) + " |"
 
 
 def _tabular(table: Table) -> str:
-    lines = [" & ".join(map(_tex, row)) + r" \\" for row in (table.headings, *table.rows)]
+    lines = [_tex_row(row) for row in (table.headings, *table.rows)]
     return "\n".join(
         [
             f"% {table.title}. {table.note}",
@@ -118,5 +132,11 @@ def _tabular(table: Table) -> str:
     )
 
 
+def _tex_row(texts: Sequence[str]) -> str:
+    """Return a row; the end of the one before would take a ``[`` or ``*`` at its beginning for its own."""
+    row = " & ".join(map(_tex, texts))
+    return ("{}" if row.startswith(("[", "*")) else "") + row + r" \\"
+
+
 def _tex(text: str) -> str:
-    return re.sub(r"[\\~^&%$#_{}±∞<>]", lambda mark: _LATEX[mark[0]], text)
+    return _LATEX_MARKS.sub(lambda mark: _LATEX[mark[0]], " ".join(text.splitlines()))

@@ -5,7 +5,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from io import TextIOWrapper
 
+from acoexp.console.plain import one_line
 from acoexp.errors import AcoexpError
 
 FAILED, INTERRUPTED = 1, 130
@@ -25,6 +27,8 @@ def ends_cleanly(interrupted: str, describe: Callable[[Exception], str | None] =
         interrupted: What is said after Ctrl-C of what had been done by then.
         describe: Returns what is said of an error, or None where it is raised instead.
     """
+    if isinstance(sys.stdout, TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # a name that this terminal cannot show ends nothing
     try:
         yield
     except KeyboardInterrupt:
@@ -40,4 +44,4 @@ def ends_cleanly(interrupted: str, describe: Callable[[Exception], str | None] =
 
 def print_error(message: str) -> None:
     """Print what is wrong as one line."""
-    print(f"acoexp: error: {' '.join(message.split())}", file=sys.stderr)
+    print(f"acoexp: error: {one_line(message)}", file=sys.stderr)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoexp.errors import MapError
+from acoexp.errors import MapError, shown
 from acoexp.grid.moves import DIRECTIONS, MOVE_RULES, allowed_moves, path_length
 from acoexp.grid.optimum import shortest_path
 
@@ -73,12 +73,12 @@ class Grid:
     def _check(self) -> None:
         if self.moves not in MOVE_RULES:
             rules = ", ".join(MOVE_RULES)
-            raise MapError(f"map {self.name}: moves: expected one of: {rules}; got {self.moves!r}")
+            raise MapError(f"map {self.name}: moves: expected one of: {rules}; got {shown(self.moves)}")
         rows, cols = self.shape
         for key, (row, col) in (("start", self.start), ("goal", self.goal)):
             if not (0 <= row < rows and 0 <= col < cols):
                 raise MapError(
-                    f"map {self.name}: {key} ({row}, {col}) lies outside; expected a cell from (0, 0) to "
+                    f"map {self.name}: {key} {shown((row, col))} lies outside; expected a cell from (0, 0) to "
                     f"({rows - 1}, {cols - 1})"
                 )
             if self.obstacles[row, col]:
@@ -191,4 +191,4 @@ def _as_cell(cell: Any, key: str, name: str) -> Cell:
         row, col = cell
         return int(row.__index__()), int(col.__index__())
     except (TypeError, ValueError, AttributeError):
-        raise MapError(f"map {name}: {key}: expected (row, column), whole numbers; got {cell!r}") from None
+        raise MapError(f"map {name}: {key}: expected (row, column), whole numbers; got {shown(cell)}") from None

@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
+import stat
 from dataclasses import dataclass
 from pathlib import Path
 
-from acoexp.errors import MapError
+from acoexp.console.plain import printable
+from acoexp.errors import MapError, shown
 from acoexp.grid.grid import Cell, Grid
 from acoexp.grid.moves import MOVE_RULES
 from acoexp.maps.source import MapSource
 from acoexp.maps.text import parse_map
 from acoexp.parameters import REQUIRED, parameter
+
+LARGEST = 4 * 2**20
+"""Bytes that a map's file may have: 2000 x 2000 cells of '.' and '#', which take some seconds to read."""
+
+_KINDS = {
+    stat.S_IFDIR: "a folder",
+    stat.S_IFIFO: "a pipe",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+"""What is no file, and would be read without an end, or waited for."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,10 +42,25 @@ class MapFile(MapSource):
         """Read the file and return its grid."""
         try:
             path = Path(self.path).expanduser()
-            text = path.read_text(encoding="utf-8-sig")
+            text = self._content(path).decode("utf-8-sig")
+        except MapError:
+            raise
         except UnicodeDecodeError as problem:
-            raise MapError(f"map.path: expected a text file in UTF-8; got {self.path!r}") from problem
+            raise MapError(f"map.path: expected a text file in UTF-8; got {shown(self.path)}") from problem
         except (OSError, ValueError, RuntimeError) as problem:
-            reason = getattr(problem, "strerror", None) or str(problem)
-            raise MapError(f"map.path: expected a readable text file; got {self.path!r} ({reason})") from problem
-        return parse_map(text, name=path.name, start=self.start, goal=self.goal, moves=self.moves)
+            raise self._refusal(getattr(problem, "strerror", None) or str(problem)) from problem
+        return parse_map(text, name=printable(path.name), start=self.start, goal=self.goal, moves=self.moves)
+
+    def _content(self, path: Path) -> bytes:
+        """Return what is in a file, if it is a file and no larger than a map can be."""
+        kind = _KINDS.get(stat.S_IFMT(path.stat().st_mode))
+        if kind is not None:
+            raise self._refusal(kind)
+        with path.open("rb") as file:
+            content = file.read(LARGEST + 1)
+        if len(content) > LARGEST:
+            raise self._refusal(f"more than {LARGEST // 2**20} MiB, the most that a map may have")
+        return content
+
+    def _refusal(self, reason: str) -> MapError:
+        return MapError(f"map.path: expected a readable text file; got {shown(self.path)} ({reason})")

@@ -5,7 +5,7 @@ Lines that start with ``;`` are remarks; one of the form ``; key: value`` is met
 
 from __future__ import annotations
 
-from acoexp.errors import MapError
+from acoexp.errors import MapError, shown
 from acoexp.grid.grid import Cell, Grid
 
 _MARKS = {"S": 0, "G": 0}
@@ -45,7 +45,7 @@ def parse_map(
             if symbol not in alphabet:
                 expected = " ".join(alphabet)
                 raise MapError(
-                    f"map {name}: row {number}, column {col}: expected one of {expected}; got {symbol!r}"
+                    f"map {name}: row {number}, column {col}: expected one of {expected}; got {shown(symbol)}"
                 )
     return Grid(
         [[alphabet[symbol] for symbol in row] for row in symbols],
@@ -74,5 +74,7 @@ def _marked(mark: str, key: str, symbols: list[list[str]], given: Cell | None, n
     if len(found) > 1:
         raise MapError(f"map {name}: {mark} marks the {key}; expected it once, got it {len(found)} times")
     if found and given is not None and tuple(given) != found[0]:
-        raise MapError(f"map {name}: {mark} stands at {found[0]}, but {key} {tuple(given)} was given; drop one")
+        raise MapError(
+            f"map {name}: {mark} stands at {found[0]}, but {key} {shown(tuple(given))} was given; drop one"
+        )
     return found[0] if found else given

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import EntryPoint, distributions, entry_points
 
-from acoexp.errors import did_you_mean
+from acoexp.errors import did_you_mean, shown
 from acoexp.strategies.groups import STRATEGY_GROUPS
 
 GROUPS = (*STRATEGY_GROUPS, "map", "report")
@@ -46,7 +46,7 @@ def entry_of(group: str, owner: type) -> EntryPoint | None:
 
 def not_found(group: str, name: object, known: Iterable[str]) -> str:
     """Say that a group has no part of this name, which it has, and what may have been meant."""
-    said = f"{group}: expected one of: {', '.join(known)}; got {name!r}"
+    said = f"{group}: expected one of: {', '.join(known)}; got {shown(name)}"
     if not isinstance(name, str):
         return said
     others = [other for other in GROUPS if other != group and name in entries(other)]

@@ -7,7 +7,7 @@ from dataclasses import is_dataclass
 from typing import Any
 
 from acoexp.colony.scalars import ColonySettings
-from acoexp.errors import SettingsError, StrategyError, did_you_mean
+from acoexp.errors import SettingsError, StrategyError, did_you_mean, shown
 from acoexp.grid.field import FieldSettings
 from acoexp.parameters import build, check, fields_of, values_of
 from acoexp.registry.entries import entries, entry_of, package_named
@@ -92,7 +92,7 @@ def _made(group: str, part: Any) -> Chosen:
 def _mapping(key: str, given: Any) -> Mapping[str, Any]:
     if not isinstance(given, Mapping):
         part = f", a name or a {STRATEGIES[key].__name__} object" if key in STRATEGIES else ""
-        raise SettingsError(f"{key}: expected a mapping of parameters{part}; got {given!r}")
+        raise SettingsError(f"{key}: expected a mapping of parameters{part}; got {shown(given)}")
     return given
 
 

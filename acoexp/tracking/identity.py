@@ -17,7 +17,7 @@ from typing import Any
 import numba
 import numpy as np
 
-from acoexp.colony.cache import digest_of_sources
+from acoexp.colony.digest import digest_of_sources
 from acoexp.grid.grid import Grid
 from acoexp.trial.seeds import Seeds
 

@@ -74,14 +74,14 @@ class Found(NamedTuple):
     """A finished run that is in the store: a trial or a batch.
 
     Attributes:
+        kind: ``trial`` or ``batch``.
         trials: How many trials it is of.
-        metrics: Its metrics, by name.
-        params: Its configuration, flattened.
+        metrics: Its metrics, by name; a finished run has all that its kind needs.
     """
 
+    kind: str
     trials: int
     metrics: Mapping[str, float]
-    params: Mapping[str, str]
 
 
 def flatten(config: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, str]]:

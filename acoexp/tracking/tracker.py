@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any, Protocol
 
 from acoexp.tracking.setup import Found, Setup, Trial
@@ -50,8 +50,8 @@ class Tracker(Protocol):
             TrackingError: if it cannot be reached or written.
         """
 
-    def find(self, configuration_id: str) -> dict[str, Found]:
-        """Return the finished runs of a configuration, each under its identity."""
+    def find(self, configuration_id: str, identities: Collection[str]) -> dict[str, Found]:
+        """Return the finished runs of a configuration that are of some identities, each under its own."""
 
     def has(self, identity: str) -> bool:
         """Tell whether there is a finished run of an identity."""
@@ -86,7 +86,7 @@ class NoTracker:
     def prepare(self) -> None:
         """Do nothing."""
 
-    def find(self, configuration_id: str) -> dict[str, Found]:
+    def find(self, configuration_id: str, identities: Collection[str]) -> dict[str, Found]:
         """Find nothing."""
         return {}
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.errors import SettingsError
+from acoexp.errors import SettingsError, shown
 
 HIGHEST_SEED = 2**64 - 1
 MOST_SEEDS = 1_000_000
@@ -52,22 +52,24 @@ def parse_seeds(text: Any) -> Seeds:
     Raises:
         SettingsError: if it names none, one twice, too many, or is no such text.
     """
-    words = str(text) if isinstance(text, str | int) and not isinstance(text, bool) else ""
-    words = words.replace(" ", "")
+    is_seed = isinstance(text, int) and not isinstance(text, bool) and 0 <= text <= HIGHEST_SEED
+    words = str(text).replace(" ", "") if is_seed or isinstance(text, str) else ""
     if not _RANGES.fullmatch(words):
-        raise SettingsError(f"seeds: expected whole numbers and ranges, such as 0-999 or 0-9,20; got {text!r}")
+        raise SettingsError(
+            f"seeds: expected whole numbers and ranges, such as 0-999 or 0-9,20; got {shown(text)}"
+        )
     ranges = sorted((_range(part) for part in words.split(",")), key=lambda r: r[0])
     merged = [ranges[0]]
     for following in ranges[1:]:
         last = merged[-1]
         if following[0] <= last[-1]:
-            raise SettingsError(f"seeds: expected each seed once; got {following[0]} twice in {text!r}")
+            raise SettingsError(f"seeds: expected each seed once; got {following[0]} twice in {shown(text)}")
         if following[0] == last[-1] + 1:
             merged[-1] = range(last[0], following[-1] + 1)
         else:
             merged.append(following)
     if sum(r[-1] - r[0] + 1 for r in merged) > MOST_SEEDS:
-        raise SettingsError(f"seeds: expected at most {MOST_SEEDS} in one batch; got {text!r}")
+        raise SettingsError(f"seeds: expected at most {MOST_SEEDS} in one batch; got {shown(text)}")
     return Seeds(tuple(merged))
 
 
@@ -82,7 +84,7 @@ def check_seed(seed: Any) -> int:
     except TypeError:
         whole = -1
     if not 0 <= whole <= HIGHEST_SEED:
-        raise SettingsError(f"seed: expected a whole number from 0 to 2^64 - 1; got {seed!r}")
+        raise SettingsError(f"seed: expected a whole number from 0 to 2^64 - 1; got {shown(seed)}")
     return whole
 
 

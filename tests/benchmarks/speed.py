@@ -112,10 +112,10 @@ def bytes_per_cell(grid: Grid, algo: str) -> float:
     tracemalloc.start()
     copy = Grid(grid.obstacles, name=grid.name)
     solver = Solver(copy, resolve(algo, {"iterations": 1}))
-    workspace = solver._new_workspace(np.zeros(1, dtype=np.uint8))
+    room = solver.room_after(0)
     held, _ = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert workspace.colony.stored.size
+    assert room.colony.stored.size
     return held / grid.obstacles.size
 
 

@@ -18,7 +18,8 @@ from typing import Any
 import numba
 import pytest
 
-from acoexp.colony.cache import cache_root, compile_once, digest_of
+from acoexp.colony.cache import compile_once
+from acoexp.colony.cache_folder import cache_root
 from acoexp.colony.compiled import compiled
 from acoexp.strategies.diffusion.none import stay
 
@@ -174,16 +175,6 @@ def test_what_is_asked_for_stays(root: Path) -> None:
     os.utime(folder, (time.time() - 61 * DAY,) * 2)
     assert loaded(new_loop())
     assert time.time() - folder.stat().st_mtime < DAY
-
-
-def test_numbas_own_settings_are_part_of_the_digest(monkeypatch: pytest.MonkeyPatch) -> None:
-    before = digest_of((stay,))
-    monkeypatch.setenv("NUMBA_OPT", "2")
-    assert digest_of((stay,)) != before
-
-
-def test_a_kernel_made_inside_a_function_has_no_digest() -> None:
-    assert digest_of((stay, new_loop())) is None
 
 
 @pytest.fixture(scope="module")

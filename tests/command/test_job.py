@@ -19,6 +19,8 @@ from acoexp.command.handover import Handover
 from acoexp.command.job import Job, run_job
 from acoexp.errors import SettingsError, StoreGoneError, StrategyError
 from acoexp.registry.resolve import resolve
+from acoexp.report.context import Context
+from acoexp.report.report import Report
 from acoexp.tracking.tracker import NoTracker
 from acoexp.trial.seeds import parse_seeds
 from acoexp.trial.solver import Solver
@@ -85,7 +87,7 @@ def test_a_worker_uses_the_map_and_the_address_that_its_parent_hands_over(
         (["report=compare", "seeds='0-9'"], "seeds: expected none with a report, which has keys of its own"),
         (["report=compare", "report.cells=[aco]"], "report.cells: expected two or more, each different"),
         (["+report.nope=1"], "report.nope is not a known key of report=none"),
-        (["rho=${nope}"], "Interpolation key 'nope' not found"),
+        (["rho=${nope}"], "rho: Interpolation key 'nope' not found"),
         (["~map"], "map: expected one of the options that --help lists; got None"),
     ],
 )
@@ -108,7 +110,9 @@ def test_a_trial_leaves_its_settings_its_record_and_its_pictures_and_returns_its
     result = solve("fig13", "aco", 3, **FEW)
     assert job.run() == (result.length if result.path is not None else math.inf)
     assert listing(tmp_path / "job") == {"config.yaml", "trial.json", "path.png", "convergence.png"}
-    assert json.loads((tmp_path / "job" / "trial.json").read_text("utf-8"))["lost_ants"] == result.lost_ants.tolist()
+    assert (
+        json.loads((tmp_path / "job" / "trial.json").read_text("utf-8"))["lost_ants"] == result.lost_ants.tolist()
+    )
     assert yaml.safe_load((tmp_path / "job" / "config.yaml").read_text("utf-8")) == job.config
     assert "files: job" in capsys.readouterr().out
 
@@ -169,33 +173,46 @@ def test_a_batch_with_trials_that_failed_keeps_the_others_and_says_how_many(
     assert (tmp_path / "job" / "failed.txt").read_text("utf-8") == "2 of 5 trials failed: the part broke\n"
 
 
-def test_a_report_is_written_and_returns_no_number(
-    made: Callable[..., Job], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+class Note(Report):
+    """A report that says what it was given."""
+
+    def write(self, context: Context) -> Path:
+        context.folder.mkdir(parents=True)
+        trials = context.run(context.settings, context.grid, parse_seeds("0-2"))
+        said = f"{context.algo} {context.own_settings} {len(trials)}"
+        (context.folder / "note").write_text(said, encoding="utf-8")
+        return context.folder
+
+
+@pytest.mark.parametrize(
+    ("mode", "folder"), [(RunMode.RUN, "outputs/reports/compare"), (RunMode.MULTIRUN, "job/compare")]
+)
+def test_a_report_works_on_what_the_command_line_says_and_is_no_number(
+    made: Callable[..., Job],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    mode: RunMode,
+    folder: str,
+    tmp_path: Path,
 ) -> None:
-    job = made("report=compare", "report.cells=[aco,aco rho=0.1]", "report.trials=2", *QUICK)
-    assert math.isnan(job.run())
-    assert (tmp_path / "outputs" / "reports" / "compare" / "report.json").is_file()
-    assert "report: outputs/reports/compare" in capsys.readouterr().out
-
-
-def test_a_report_of_a_sweep_lies_in_its_jobs_folder(made: Callable[..., Job], tmp_path: Path) -> None:
-    job = made("report=compare", "report.cells=[aco,aco rho=0.1]", "report.trials=2", *QUICK, mode=RunMode.MULTIRUN)
-    job.run()
-    assert (tmp_path / "job" / "compare" / "report.json").is_file()
+    monkeypatch.setattr("acoexp.command.job.build_part", lambda group, name, parameters: Note())
+    assert math.isnan(made("report=compare", *QUICK, mode=mode).run())
+    assert (tmp_path / folder / "note").read_text("utf-8") == "aco {'ants': 2, 'iterations': 3} 3"
+    out, _ = capsys.readouterr()
+    assert out.startswith("report: ")
+    assert out.endswith(f"{folder}\n")
 
 
 # --- as Hydra calls it
 
 
-def test_a_job_that_was_checked_in_this_process_is_not_made_again(
-    composed: Composed, handover: Handover
-) -> None:
+def test_a_job_that_was_checked_in_this_process_is_not_made_again(composed: Composed, handover: Handover) -> None:
     handover.ready = lambda: 7.0
     assert run_job(composed("rho=2.0")) == 7.0
 
 
 def test_a_job_that_was_not_is_checked_now(composed: Composed, handover: Handover) -> None:
-    with pytest.raises(SettingsError, match="^rho: expected"):
+    with pytest.raises(SettingsError, match=r"^rho: expected"):
         run_job(composed("rho=2.0"))
 
 

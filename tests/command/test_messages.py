@@ -47,10 +47,17 @@ def test_what_comes_with_an_extra_is_told_with_the_command_that_installs_it(opti
             "rhoo is not a known key; --help lists the keys, --cfg job shows the settings; did you mean rho?",
         ),
         ("hydro=1", "hydro is not a known key; --help lists the keys, --cfg job shows the settings"),
-        ("map.mooves=free", "map.mooves is not a known key; --help lists the keys, --cfg job shows the settings; did you mean moves?"),
+        (
+            "map.mooves=free",
+            "map.mooves is not a known key; --help lists the keys, --cfg job shows the settings; "
+            "did you mean moves?",
+        ),
         ("update.elitists=1", "update.elitists is a key of update=elitist, not of update=dual_ant_cycle"),
         ("post=geometrik", "post: expected one of: geometric, none; got 'geometrik'; did you mean geometric?"),
-        ("map=gaussian", "map: expected one of: env1, env2, fig13, file; got 'gaussian'; there is diffusion=gaussian"),
+        (
+            "map=gaussian",
+            "map: expected one of: env1, env2, fig13, file; got 'gaussian'; there is diffusion=gaussian",
+        ),
     ],
 )
 def test_what_hydra_does_not_know_is_told_with_what_may_have_been_meant(

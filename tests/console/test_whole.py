@@ -39,9 +39,9 @@ def test_an_error_while_the_first_file_is_written_leaves_none(tmp_path: Path) ->
 
 def test_a_folder_takes_the_place_of_the_one_that_was_there_with_all_that_was_in_it(tmp_path: Path) -> None:
     for name in ("first", "second"):
-        with whole_folder(tmp_path / "reports" / "mine") as draft:
+        with whole_folder(tmp_path / "all" / "reports" / "mine") as draft:
             (draft / name).touch()
-    assert listing(tmp_path) == {"reports", "reports/mine", "reports/mine/second"}
+    assert listing(tmp_path / "all" / "reports") == {"mine", "mine/second"}
 
 
 @pytest.mark.parametrize("problem", [OSError, KeyboardInterrupt])

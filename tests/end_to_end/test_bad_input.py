@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from hydra import compose, initialize_config_dir
 from hydra.errors import HydraException
+from omegaconf.errors import OmegaConfBaseException
 from running import QUICK, refusal, run_acoexp
 
 from acoexp.command.handover import Handover
@@ -100,9 +101,9 @@ def checked(*overrides: str) -> str:
     register_options(None)
     with initialize_config_dir(str(conf_dir()), version_base="1.3"):
         config = compose("config", list(overrides))
-    with pytest.raises(AcoexpError) as caught:
+    with pytest.raises((AcoexpError, OmegaConfBaseException)) as caught:
         Job(config, Handover())
-    message = str(caught.value)
+    message = in_one_line(caught.value)
     assert "\n" not in message
     return message
 
@@ -133,7 +134,7 @@ def checked(*overrides: str) -> str:
             "seed=18446744073709551616",
             "seed: expected a whole number from 0 to 2^64 - 1; got 18446744073709551616",
         ),
-        ("seed=${nope}", "Interpolation key 'nope' not found"),
+        ("seed=${nope}", "seed: Interpolation key 'nope' not found; where '${' is meant as it stands, type "),
         ("tracking.name=nope", "tracking: expected one of: mlflow, none; got 'nope'"),
         ("tracking.uri=''", "tracking.uri: expected the address of an MLflow store that lasts; got ''"),
         ("report.name=nope", "report: expected one of: "),

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from acoexp import Grid, MapError, SettingsError
-from acoexp.maps.file import MapFile
+from acoexp.maps.file import LARGEST, MapFile
 from acoexp.parameters import build
 
 ART = "; moves: free\n..#\n...\n#..\n"
@@ -72,8 +73,38 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
     assert refusal(path) == f"map.path: expected a readable text file; got {path!r} (No such file or directory)"
 
 
-def test_a_directory_is_no_map(tmp_path: Path) -> None:
-    assert refusal(tmp_path).startswith(f"map.path: expected a readable text file; got {str(tmp_path)!r} (")
+def test_what_is_no_file_is_refused_by_its_kind_and_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    kinds = {tmp_path: "a folder", tmp_path / "pipe": "a pipe", Path("/dev/zero"): "a device"}
+    for path, kind in kinds.items():
+        assert refusal(path) == f"map.path: expected a readable text file; got {str(path)!r} ({kind})"
+
+
+def test_a_file_that_is_too_large_for_a_map_is_refused_before_it_is_read(yard: Path) -> None:
+    with yard.open("wb") as file:
+        file.truncate(100 * 10**6)
+    assert refusal(yard).endswith("(more than 4 MiB, the most that a map may have)")
+
+
+def test_a_map_of_2000_by_2000_cells_is_not_too_large() -> None:
+    assert 2000 * len("." * 2000 + "\n") <= LARGEST
+
+
+def test_a_word_that_is_as_long_as_a_book_is_not_repeated(yard: Path) -> None:
+    yard.write_text(f"0 {'1' * 100_000}\n", encoding="utf-8")
+    assert len(refusal(yard)) < 400
+
+
+@pytest.mark.parametrize("name", ["q?x=1", "a%2Fb", "[run]", "$^$", "${b}", "a\\'b", "2024.05.01", " a (1) 中"])
+def test_a_file_may_have_any_name_and_its_map_has_the_same(yard: Path, name: str) -> None:
+    yard.rename(yard.with_name(name))
+    assert load(yard.with_name(name)).name == name
+
+
+@pytest.mark.parametrize(("name", "seen"), [("a\x1b[31m", r"a\x1b[31m"), ("a\nb", r"a\nb"), ("\udcff", r"\udcff")])
+def test_what_a_terminal_would_obey_is_no_part_of_a_maps_name(yard: Path, name: str, seen: str) -> None:
+    yard.rename(yard.with_name(name))
+    assert load(yard.with_name(name)).name == seen
 
 
 def test_an_unreadable_file_is_named(yard: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -82,7 +113,7 @@ def test_an_unreadable_file_is_named(yard: Path, monkeypatch: pytest.MonkeyPatch
     def denied(*args: Any, **kwargs: Any) -> str:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(Path, "read_text", denied)
+    monkeypatch.setattr(Path, "open", denied)
     assert refusal(yard) == f"map.path: expected a readable text file; got {str(yard)!r} (Permission denied)"
 
 

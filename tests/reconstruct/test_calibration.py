@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -38,16 +39,23 @@ def test_each_seed_has_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 def test_when_a_search_fails_the_others_end_at_their_next_candidate(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    begun, told = threading.Event(), threading.Event()
+
     def search(self: Calibration, seed: int, progress: Callable[[], None]) -> str:
         if seed == 0:
+            begun.wait(60)
             raise AcoexpError("failed")
-        deadline = time.monotonic() + 60
-        while time.monotonic() < deadline:
-            progress()
-            time.sleep(0.001)
-        return "never told to stop"
+        begun.set()
+        try:
+            for _ in range(1000):
+                progress()
+                time.sleep(0.001)
+        except AcoexpError:
+            told.set()
+        return ""
 
     monkeypatch.setattr(Calibration, "search", search)
     with pytest.raises(AcoexpError, match="failed"):
         Calibration(runs=2, threads=2, out=str(tmp_path)).run()
+    assert told.is_set()
     assert list(tmp_path.iterdir()) == []

@@ -132,7 +132,8 @@ def test_a_trial_and_a_batch_of_one_seed_are_two_things(store: MlflowTracker) ->
     what = setup(rho=0.26)
     store.log(Trial(what, results(what)[5]))
     assert keep_batch(what, parse_seeds("5"), store).ran == 1
-    assert len(store.find(what.configuration_id)) == 2
+    found = store.find(what.configuration_id, {what.identity(5), what.identity(parse_seeds("5"))})
+    assert sorted(run.kind for run in found.values()) == ["batch", "trial"]
 
 
 def test_a_store_that_stays_away_ends_it_in_one_error(

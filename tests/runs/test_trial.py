@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import pytest
@@ -36,10 +37,10 @@ class Noting(NoTracker):
 
 def test_a_trial_that_was_kept_is_found_again_with_what_python_finds(store: MlflowTracker) -> None:
     kept = keep_trial(WHAT, 3, store)
-    (found,) = store.find(WHAT.configuration_id).values()
+    (found,) = store.find(WHAT.configuration_id, {kept.trial.identity}).values()
     result = solve(YARD, "aco", 3, **SETTINGS)
     assert kept.trial.result.as_dict() == result.as_dict()
-    assert (found.params["seed"], found.metrics["l1"]) == ("3", result.l1)
+    assert (found.kind, found.metrics["l1"]) == ("trial", result.l1)
     assert store.has(kept.trial.identity)
 
 
@@ -48,7 +49,18 @@ def test_the_tracker_is_told_whether_what_it_has_of_the_same_trial_stays(resume:
     tracker = Noting()
     kept = keep_trial(WHAT, 3, tracker, resume=resume)
     assert tracker.kept == [(kept.trial, resume)]
-    assert kept.seconds > 0.0
+
+
+def test_if_nothing_is_said_it_stays() -> None:
+    tracker = Noting()
+    keep_trial(WHAT, 3, tracker)
+    assert [resume for _, resume in tracker.kept] == [True]
+
+
+def test_the_time_that_it_took_is_that_of_the_trial_alone() -> None:
+    began = time.perf_counter()
+    kept = keep_trial(WHAT, 3, NoTracker())
+    assert 0.0 < kept.seconds < time.perf_counter() - began
 
 
 @pytest.mark.parametrize("where", ["solve", "__init__"])

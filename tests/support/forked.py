@@ -1,4 +1,4 @@
-"""Commands in processes forked from one that has imported everything: as separate as any, without the seconds of imports.
+"""Commands in processes forked from one that has imported everything: separate as any, without seconds of imports.
 
 What depends on how Python starts (its options, its environment, a cold start) needs a real process instead.
 """

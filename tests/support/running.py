@@ -25,7 +25,7 @@ def run_acoexp(
     python: Sequence[str] = (),
     timeout: float = 120.0,
 ) -> subprocess.CompletedProcess[str]:
-    """Run ``python -m acoexp`` to its end: in a fresh Python where an environment or options are given, else forked.
+    """Run ``python -m acoexp`` to its end: in a fresh Python if an environment or options are given, else forked.
 
     Args:
         args: Its arguments.

@@ -61,9 +61,9 @@ def test_without_a_success_nobody_knows_how_long_one_takes() -> None:
 
 
 def test_a_trial_that_never_arrived_spends_all_its_cycles_and_counts_in_no_mean() -> None:
-    summary = aggregate(rows(7.0, math.nan, x1=4), optimum=7.0, iterations=10)
-    assert (summary.trials, summary.never_arrived, summary.success_rate) == (2, 1, 0.5)
-    assert summary.expected_cycles == 4 + 10
+    summary = aggregate(rows(7.0, math.nan, 7.0, math.nan, x1=4), optimum=7.0, iterations=10)
+    assert (summary.trials, summary.never_arrived, summary.success_rate) == (4, 2, 0.5)
+    assert summary.expected_cycles == (4 + 10 + 4 + 10) / 2
     assert (summary.means["x1"], summary.means["l1"]) == (4.0, 7.0)
 
 

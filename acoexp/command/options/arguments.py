@@ -3,31 +3,33 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from datetime import datetime
+from pathlib import Path
 from secrets import token_hex
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from hydra.core.override_parser.overrides_parser import OverridesParser
-from hydra.core.override_parser.types import Override
-from hydra.errors import OverrideParseException
+from hydra.core.override_parser.types import Override, ValueType
 
 from acoexp.colony.scalars import ColonySettings
 from acoexp.command.options.flags import flags_parser, split_arguments, without_config_dir
 from acoexp.command.options.keys import JobKeys
-from acoexp.errors import SettingsError
+from acoexp.command.options.quoting import hydra_text
+from acoexp.command.options.reading import check_texts, line_to_type, read, takes_text
+from acoexp.errors import SettingsError, shown
 from acoexp.parameters import fields_of
 from acoexp.registry.entries import GROUPS
 from acoexp.strategies.groups import STRATEGY_GROUPS
 from acoexp.trial.seeds import parse_seeds
 
-_RANGES = re.compile(r"\d+(-\d+)?(,\d+(-\d+)?)*")
+_RANGES = re.compile(r"\d{1,20}(-\d{1,20})?(,\d{1,20}(-\d{1,20})?)*")
 _WHOLE_KEYS = {
     name for owner in (JobKeys, ColonySettings) for name, field in fields_of(owner).items() if field.type == "int"
 }
 
 
-MOST_JOBS = 100_000
-"""Values that one key of a sweep may have; each job costs Hydra some 50 ms."""
+MOST_VALUES, MOST_JOBS = 100_000, 1_000_000
+"""Values that one key of a sweep may have, and combinations of them all; each job costs Hydra some 50 ms."""
 
 
 class Arguments(NamedTuple):
@@ -45,9 +47,11 @@ def normalise(argv: list[str]) -> Arguments:
     keys that are whole numbers; each run and sweep gets a folder of its own.
 
     Raises:
-        SettingsError: for an override that cannot be read, a sweep without ``-m``, a range that runs
-            backwards, or a flag that would replace the program's own configuration.
+        SettingsError: for an override that cannot be read, or not as it was meant; for a sweep without ``-m``, or
+            with too many jobs; for a range that runs backwards; or for a flag that would replace the program's own
+            configuration.
     """
+    _check_signs(argv)
     parser = flags_parser()
     given, options = split_arguments(argv, parser)
     flags = parser.parse_args(options)
@@ -63,7 +67,12 @@ def normalise(argv: list[str]) -> Arguments:
             )
     for override in given:
         _require_value(override)
-    overrides = [_quote_seeds(override) or _expand(override) for override in given]
+    overrides = [_quote_seeds(override) or override for override in given]
+    several = flags.multirun or any(override.startswith("hydra.mode=") for override in given)
+    parsed = read(overrides, several)
+    check_texts(overrides, several)
+    overrides = list(map(_expand, overrides))
+    _check_sizes(parsed, overrides)
     _refuse_seed_with_seeds(overrides)
     others = (flags.cfg, flags.info, flags.help, flags.hydra_help, flags.shell_completion)
     if sum(map(bool, (*others, flags.run, flags.multirun))) > 1 and not (flags.help and flags.cfg):
@@ -71,6 +80,7 @@ def normalise(argv: list[str]) -> Arguments:
     runs = not any(others)
     if runs and not flags.multirun:
         _refuse_engines(overrides)
+    if runs and not several:
         _refuse_sweeps(given, overrides)
     if flags.multirun:
         overrides = _defer_part_keys(overrides)
@@ -106,10 +116,34 @@ def _expand(override: str) -> str:
         first, _, last = part.partition("-")
         if last and int(last) < int(first):
             raise SettingsError(f"{key}: expected a range from low to high, such as 0-9; got {part!r}")
-        numbers.extend(range(int(first), min(int(last or first), int(first) + MOST_JOBS) + 1))
-    if len(numbers) > MOST_JOBS:
-        raise SettingsError(f"{key}: expected at most {MOST_JOBS} values, each a job; got {value!r}")
+        numbers.extend(range(int(first), min(int(last or first), int(first) + MOST_VALUES) + 1))
+        if len(numbers) > MOST_VALUES:
+            raise SettingsError(f"{key}: expected at most {MOST_VALUES} values, each a job; got {shown(value)}")
     return f"{key}={','.join(map(str, numbers))}"
+
+
+def _check_sizes(parsed: list[Override], overrides: list[str]) -> None:
+    """Refuse a sweep that would never end; another sweeper chooses from what is given, however much."""
+    if any(override.startswith("hydra/sweeper=") for override in overrides):
+        return
+    jobs = 1
+    for override, expanded in zip(parsed, overrides, strict=True):
+        number = _number_of_values(override) if override.input_line == expanded else expanded.count(",") + 1
+        if number > MOST_VALUES:
+            raise SettingsError(f"{override.input_line}: expected at most {MOST_VALUES} values, each a job")
+        jobs *= max(number, 1)
+    if jobs > MOST_JOBS:
+        raise SettingsError(f"expected a sweep of at most {MOST_JOBS} jobs; got {jobs}; seeds=0-999 is one job")
+
+
+def _number_of_values(override: Override) -> int:
+    sweep: Any = override.value()
+    if not override.is_range_sweep():
+        return len(sweep.list) if override.value_type == ValueType.CHOICE_SWEEP else 1
+    try:
+        return int((sweep.stop - sweep.start) / sweep.step)
+    except (ArithmeticError, ValueError):  # by steps of nothing, or without an end
+        return MOST_VALUES + 1
 
 
 def _refuse_engines(overrides: list[str]) -> None:
@@ -119,12 +153,11 @@ def _refuse_engines(overrides: list[str]) -> None:
 
 
 def _refuse_sweeps(given: list[str], overrides: list[str]) -> None:
-    parsed = _parsed(overrides)
-    if any(override.key_or_group == "hydra.mode" for override in parsed):
-        return
-    for text, override in zip(given, parsed, strict=True):
+    for text, override in zip(given, read(overrides), strict=True):
         if override.is_sweep_override():
-            raise SettingsError(f"{text}: several values; add -m to run them all")
+            key, _, value = text.partition("=")
+            one = f"; for a single one type {line_to_type(key, value)}" if takes_text(key) else ""
+            raise SettingsError(f"{text}: several values; add -m to run them all{one}")
 
 
 def _defer_part_keys(overrides: list[str]) -> list[str]:
@@ -134,21 +167,44 @@ def _defer_part_keys(overrides: list[str]) -> list[str]:
     """
     groups = (*GROUPS, "algo")
     of_parts = [text for text in overrides if re.split(r"[.=]", text)[0] in groups]
-    sweeps = {override.key_or_group for override in _parsed(of_parts) if override.is_sweep_override()}
+    sweeps = {override.key_or_group for override in read(of_parts) if override.is_sweep_override()}
     swept = sweeps | ({*STRATEGY_GROUPS} if "algo" in sweeps else set())
     texts = []
     for text in overrides:
         key, _, value = text.partition("=")
         waits = text in of_parts and "." in key and key not in sweeps and key.partition(".")[0] in swept and value
-        texts.append(f"{key}=choice({value})" if waits else text)
+        texts.append(_deferred(key, value) if waits else text)
     return texts
 
 
-def _parsed(overrides: list[str]) -> list[Override]:
-    try:
-        return OverridesParser.create().parse_overrides(overrides)
-    except OverrideParseException as problem:
-        raise SettingsError(str(problem).splitlines()[0]) from problem
+def _deferred(key: str, value: str) -> str:
+    """Return a sweep of one value; Hydra's ``choice`` forgets quotes, so a text may need them twice."""
+    for form in (value, hydra_text(value)):
+        with suppress(SettingsError):
+            (override,) = read([f"{key}=choice({form})"])
+            (handed_on,) = override.sweep_string_iterator()
+            if read([f"{key}={handed_on}"])[0].value() == read([f"{key}={value}"])[0].value():
+                return f"{key}=choice({form})"
+    group = key.partition(".")[0]
+    raise SettingsError(
+        f"{key}: expected a value that Hydra can hand on where {group} is swept; got {value}; run each {group} by "
+        "itself"
+    )
+
+
+def _check_signs(argv: list[str]) -> None:
+    """Refuse names that nothing can be written with, and a working directory that Hydra would misread."""
+    home = str(Path.cwd())
+    for text in (*argv, home):
+        try:
+            text.encode()
+        except UnicodeEncodeError:
+            raise SettingsError(f"expected arguments and a working directory in UTF-8; got {text!r}") from None
+    if "${" in home:
+        raise SettingsError(
+            f"expected a working directory without '${{' in its name, by which Hydra refers to keys; got {home}; "
+            "run acoexp in another"
+        )
 
 
 def _require_value(override: str) -> None:
@@ -164,4 +220,5 @@ def _folders(overrides: list[str]) -> list[str]:
     """Return overrides that give this run or sweep a folder of its own, unless the user names one."""
     stamp = f"{datetime.now():%Y-%m-%d/%H-%M-%S}-{token_hex(4)}"
     folders = {"hydra.run.dir": f"outputs/runs/{stamp}", "hydra.sweep.dir": f"outputs/sweeps/{stamp}"}
-    return [f"{k}={v}" for k, v in folders.items() if not any(o.startswith(f"{k}=") for o in overrides)]
+    named = {override.lstrip("+").partition("=")[0] for override in overrides}
+    return [f"{key}={folder}" for key, folder in folders.items() if key not in named]

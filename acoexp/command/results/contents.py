@@ -35,13 +35,12 @@ def batch_record(setup: Setup, seeds: Seeds, batch: Batch) -> dict[str, Any]:
     }
 
 
-def found_record(setup: Setup, found: Found) -> dict[str, Any]:
+def found_record(setup: Setup, seeds: int | Seeds, found: Found) -> dict[str, Any]:
     """Return the record of a run that was found in the store."""
-    metrics = found.metrics
-    record = {**_head(setup), "config": dict(found.params), "seconds": None}
-    if "seeds" not in found.params:
-        values = {name: metrics.get(name) for name in NAMES}
-        return {**record, **values, "seed": found.params["seed"]}
+    metrics, key = found.metrics, "seed" if found.kind == "trial" else "seeds"
+    record = {**_head(setup), "config": {**setup.params, key: str(seeds)}, "seconds": None}
+    if found.kind == "trial":
+        return {**record, **{name: metrics.get(name) for name in NAMES}, "seed": seeds}
     summary = Aggregates(
         trials=found.trials,
         never_arrived=int(metrics["never_arrived"]),

@@ -9,6 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, StrMethodFormatter
 
+from acoexp.report.labels import any_signs, as_it_is
 from acoexp.report.palette import BLUE, GREEN, ORANGE
 from acoexp.trial.result import Result
 
@@ -36,7 +37,7 @@ def draw_map(result: Result, file: Path) -> None:
     axes.plot(*grid.start[::-1], "o", color=GREEN, label="start")
     axes.plot(*grid.goal[::-1], "*", color=GREEN, markersize=12, label="goal")
     axes.set(
-        title=f"{result.algo} on {grid.name}, seed {result.seed} (optimum {result.optimum:.4f})",
+        title=f"{as_it_is(f'{result.algo} on {grid.name}')}, seed {result.seed} (optimum {result.optimum:.4f})",
         xlabel="column",
         ylabel="row",
     )
@@ -56,7 +57,7 @@ def draw_convergence(result: Result, file: Path) -> None:
             label = f"{name} = {cycle}, {length:.4f}"
             axes.plot(cycle, length, marker, color=ORANGE, fillstyle="none", markersize=9, label=label)
     axes.set(
-        title=f"{result.algo} on {result.grid.name}, seed {result.seed}",
+        title=f"{as_it_is(f'{result.algo} on {result.grid.name}')}, seed {result.seed}",
         xlabel="cycle (log scale)",
         xscale="log",
         ylabel="path length (cells)",
@@ -69,4 +70,5 @@ def draw_convergence(result: Result, file: Path) -> None:
 
 def _save(figure: Figure, file: Path) -> None:
     FigureCanvasAgg(figure)
-    figure.savefig(file)
+    with any_signs():
+        figure.savefig(file)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
@@ -91,4 +90,12 @@ def _head(record: Mapping[str, Any]) -> tuple[str, str, Mapping[str, str], float
 def _order(record: Mapping[str, Any]) -> list[tuple[float, str]]:
     """Return what rows are sorted by: map, algorithm, then every setting, numbers as numbers."""
     values = [record["map"], record["algo"], *record["config"].values(), str(record.get("seed", ""))]
-    return [(float(v), "") if re.fullmatch(r"-?[\d.]+(e[+-]?\d+)?", v) else (math.inf, v) for v in values]
+    return [_place(value) for value in values]
+
+
+def _place(value: str) -> tuple[float, str]:
+    """Return where a value stands: numbers by their size, before all texts; ``2024.05.01`` is a text."""
+    try:
+        return (float(value), "") if math.isfinite(float(value)) else (math.inf, value)
+    except ValueError:
+        return math.inf, value

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -62,9 +63,12 @@ def _warn_of_lost(console: Console, rows: Sequence[Row]) -> None:
 
 
 def _console() -> Console:
-    """Return standard output; what is no terminal has no width at which a table would have to be cut."""
-    console = Console()
-    return console if console.is_terminal else Console(width=1000)
+    """Return standard output; what is no terminal has no width at which a table would have to be cut.
+
+    Names of maps, folders and configurations are a person's: rich is to read no markup and no emoji into them.
+    """
+    plain = partial(Console, markup=False, emoji=False)
+    return plain() if plain().is_terminal else plain(width=1000)
 
 
 def _table(rows: Sequence[Row], spread: bool) -> Table:
@@ -74,10 +78,16 @@ def _table(rows: Sequence[Row], spread: bool) -> Table:
     if spread:
         headings += ["found", "ms"]
     for heading in headings:
-        table.add_column(heading, justify="left" if heading in ("algo", "map") else "right", no_wrap=True)
+        _add_column(table, heading, is_named=heading == "map" or heading in varied)
     for row in rows:
         table.add_row(*_texts(row, varied, spread))
     return table
+
+
+def _add_column(table: Table, heading: str, is_named: bool) -> None:
+    """Add a column; where a terminal is too narrow, long names fold rather than push figures out."""
+    left = heading in ("algo", "map")
+    table.add_column(heading, justify="left" if left else "right", no_wrap=not is_named, overflow="fold")
 
 
 def _texts(row: Row, varied: Sequence[str], spread: bool) -> list[str]:

@@ -7,6 +7,7 @@ from contextlib import redirect_stderr
 from io import StringIO
 
 from hydra.core.utils import JobReturn, JobStatus
+from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command.messages import in_one_line
 from acoexp.console.ending import print_error
@@ -35,5 +36,5 @@ def _reason(job: JobReturn) -> str:
     try:
         with redirect_stderr(StringIO()):  # Hydra would print a line of its own
             return str(job.return_value)
-    except AcoexpError as problem:
+    except (AcoexpError, OmegaConfBaseException) as problem:
         return in_one_line(problem)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple, cast
@@ -19,7 +19,8 @@ from acoexp.command.job import Job
 from acoexp.command.options.sources import remember_options
 from acoexp.command.results.contents import found_record
 from acoexp.tracking.setup import Found
-from acoexp.trial.seeds import check_seed
+from acoexp.tracking.tracker import Tracker
+from acoexp.trial.seeds import Seeds, check_seed
 
 Overrides = list[str]
 """What one job is told, each ``key=value``."""
@@ -93,30 +94,37 @@ class Plan:
         """Return what is not in the store yet, and the records of what is."""
         left, seen = Left([], [], 0, 0, 0), set[str]()
         in_store = self._in_store()
-        for overrides in combinations(self._overrides):
-            job = self.jobs[tuple(text for text in overrides if not _is_seed(text))]
-            seed = next((text.partition("=")[2] for text in overrides if _is_seed(text)), str(job.keys.seed))
-            identity = job.setup.identity(seed if job.seeds is None else job.seeds)
+        for overrides, job, seeds in self._each():
+            identity = job.setup.identity(seeds)
             if job.report is None and identity in seen:
                 left = left._replace(repeated=left.repeated + 1)
                 continue
             seen.add(identity)
-            run = None if job.report else in_store.get(job.setup.configuration_id, {}).get(identity)
+            run = None if job.report else in_store.get(identity)
             left = left._replace(trials=left.trials + job.trials)
             if run is None:
                 left.missing.append(overrides)
             else:
-                left.known.append(found_record(job.setup, run))
+                left.known.append(found_record(job.setup, seeds, run))
                 left = left._replace(found=left.found + job.trials)
         return left
 
-    def _in_store(self) -> Mapping[str, Mapping[str, Found]]:
-        """Return the finished runs of each configuration by identity, where kept trials count."""
-        return {
-            job.setup.configuration_id: job.tracker.find(job.setup.configuration_id)
-            for job in self.jobs.values()
-            if job.keys.resume
-        }
+    def _each(self) -> Iterator[tuple[Overrides, Job, int | Seeds]]:
+        """Yield what each job of the sweep is told, its checked configuration, and its seed or seeds."""
+        for overrides in combinations(self._overrides):
+            job = self.jobs[tuple(text for text in overrides if not _is_seed(text))]
+            seed = next((int(text.partition("=")[2]) for text in overrides if _is_seed(text)), job.keys.seed)
+            yield overrides, job, seed if job.seeds is None else job.seeds
+
+    def _in_store(self) -> dict[str, Found]:
+        """Return the finished runs of the sweep's jobs by their identity, where kept trials count."""
+        wanted: dict[tuple[Tracker, str], set[str]] = {}
+        for _, job, seeds in self._each():
+            if job.keys.resume and job.report is None:
+                setup = job.setup
+                wanted.setdefault((job.tracker, setup.configuration_id), set()).add(setup.identity(seeds))
+        found = (tracker.find(configuration, some) for (tracker, configuration), some in wanted.items())
+        return {identity: run for runs in found for identity, run in runs.items()}
 
 
 def as_written(overrides: ListConfig) -> list[str]:

@@ -13,8 +13,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.tracking.mlflow.run import CONFIGURATION
-from acoexp.tracking.setup import Setup
 from acoexp.trial.features import CYCLES
 from acoexp.trial.result import Result
 from acoexp.trial.table import Aggregates
@@ -60,14 +58,13 @@ def _points(values: Mapping[str, float], curve: NDArray[np.float64]) -> Iterator
             yield Metric("best_length", length, now, cycle)
 
 
-def tags_of(setup: Setup) -> dict[str, str]:
-    """Return what is known of a setup besides its parameters, as tags."""
-    tags = {
-        "map.digest": setup.grid.digest,
-        CONFIGURATION: setup.configuration_id,
-        "acoexp.version": version("acoexp"),
-    }
-    tags |= {f"{group}.package": package for group, package in setup.settings.packages.items()}
+def versions(packages: Mapping[str, str]) -> dict[str, str]:
+    """Return which code is at work, as tags.
+
+    Args:
+        packages: The package of the part in each group, with its version.
+    """
+    tags = {"acoexp.version": version("acoexp"), **{f"{group}.package": name for group, name in packages.items()}}
     commit = _git_commit()
     return {**tags, "mlflow.source.git.commit": commit} if commit else tags
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import socket
 from functools import cache
 from pathlib import Path
@@ -11,11 +12,17 @@ import psutil
 
 _CLOCK_SET = 5.0
 """Seconds by which a clock that is set may move the start of a process."""
+_MARK = re.compile(r".+ \d{1,9} \d+\.\d+", re.ASCII)
 
 
 def this_process() -> str:
     """Return a mark for this process that no other bears, also after a restart of the machine."""
     return f"{_machine()} {os.getpid()} {psutil.Process().create_time():.2f}"
+
+
+def is_mark(text: str) -> bool:
+    """Tell whether a text is a mark of some process, and not what a person wrote in its place."""
+    return _MARK.fullmatch(text) is not None
 
 
 def is_dead(mark: str) -> bool | None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import time
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from secrets import token_hex
 from typing import TYPE_CHECKING
 
+from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.owner import this_process
 from acoexp.tracking.mlflow.store import Store
 
@@ -19,6 +21,8 @@ LONGEST_PARAM = 500
 """Characters of a parameter that every MLflow store keeps; a longer one goes to an artifact."""
 LARGEST_BATCH = 1000
 """Metrics that MLflow takes in one call."""
+LONGEST_TAG = 5000
+"""Characters of a tag that every MLflow store keeps."""
 
 IDENTITY, CONFIGURATION, KIND = "identity", "cell", "kind"
 """Tags: what the run is of; which configuration on which map; ``trial`` or ``batch``. They keep their names, as
@@ -29,6 +33,8 @@ REPLACES = "anew"
 """Tag of a run that takes the place of what is there: when it began, in milliseconds."""
 REASON = "reason"
 """Tag: why the run has failed."""
+_METRICS = {"trial": ("optimum", "lost_ants"), "batch": ("trials", "never_arrived", "success_rate")}
+"""Metrics that every finished run of a kind has."""
 
 
 class RunWriter:
@@ -124,13 +130,22 @@ class RunWriter:
     def _keep_only_this(self, run_id: str) -> None:
         """See to it that this is the only finished run of its identity, and the only one of this writer."""
         same = self._store.search(f"tags.{IDENTITY} = '{self._tags[IDENTITY]}'")
-        keep_one(self._store, [run for run in same if run.info.status == "FINISHED"])
+        keep_one(self._store, [run for run in same if run.info.run_id == run_id or is_whole(run)])
         for run in same:
             mine = run.data.tags.get(WRITER) == self._token
             if mine and run.info.status == "RUNNING":  # made by a call whose answer was lost
                 _delete(self._store, run.info.run_id)
             if run.info.run_id == run_id and REASON in run.data.tags:  # it had been taken for left behind
-                self._store.client.delete_tag(run_id, REASON)
+                with unless_gone():
+                    self._store.client.delete_tag(run_id, REASON)
+
+
+def is_whole(run: Run) -> bool:
+    """Tell whether a run is finished and has what its kind has; a person may have edited it since."""
+    metrics = _METRICS.get(run.data.tags.get(KIND, ""))
+    if run.info.status != "FINISHED" or metrics is None:
+        return False
+    return all(math.isfinite(run.data.metrics.get(name, math.nan)) for name in metrics)
 
 
 def keep_one(store: Store, finished: Sequence[Run]) -> Run:
@@ -146,20 +161,29 @@ def keep_one(store: Store, finished: Sequence[Run]) -> Run:
 
 
 def mark_failed(store: Store, run_id: str, reason: str) -> None:
-    """Mark a run as failed that has not been finished, and say why."""
-    store.client.set_tag(run_id, REASON, reason)
+    """Mark a run as failed that has not been finished, and say why, as far as there is room for it."""
+    shown = masked(reason, store.uri)
+    if len(shown) > LONGEST_TAG:
+        shown = f"{shown[: LONGEST_TAG - 4]} ..."
+    store.client.set_tag(run_id, REASON, shown)
     store.client.set_terminated(run_id, "FAILED")
 
 
-def _delete(store: Store, run_id: str) -> None:
-    """Delete a run, unless another process has done so already."""
+@contextmanager
+def unless_gone() -> Iterator[None]:
+    """Do something with a run, unless another process or a person has deleted it."""
     from mlflow.exceptions import MlflowException
 
     try:
-        store.client.delete_run(run_id)
+        yield
     except MlflowException as problem:
         if problem.error_code not in ("INVALID_PARAMETER_VALUE", "RESOURCE_DOES_NOT_EXIST"):
             raise
+
+
+def _delete(store: Store, run_id: str) -> None:
+    with unless_gone():
+        store.client.delete_run(run_id)
 
 
 def _now() -> str:

@@ -8,10 +8,9 @@ from __future__ import annotations
 import logging
 import os
 import re
-import sqlite3
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager
+from contextlib import contextmanager
 from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -19,6 +18,10 @@ from typing import TYPE_CHECKING, TypeVar
 from filelock import FileLock
 
 from acoexp.errors import StoreGoneError, TrackingError
+from acoexp.tracking.mlflow.failures import may_pass, reason_of
+from acoexp.tracking.mlflow.making import check_openable, check_writable, make_whole
+from acoexp.tracking.mlflow.masking import masked
+from acoexp.tracking.mlflow.moving import ARTIFACTS, bring_artifacts_along
 
 if TYPE_CHECKING:
     from mlflow import MlflowClient
@@ -30,12 +33,14 @@ EXPERIMENT = "acoexp"
 PATIENCE = 90.0
 """Seconds for which a store may be away before a trial is given up."""
 
-_SQLITE = "sqlite:///"
+_SQLITE = re.compile(r"(sqlite(?:\+\w+)?:///)([^?]*)(.*)", re.DOTALL)
 _PAGE = 1000
 _MLFLOW_SETTINGS = {
     "MLFLOW_ENABLE_ARTIFACTS_PROGRESS_BAR": "false",
     "MLFLOW_HTTP_REQUEST_MAX_RETRIES": "2",  # how long to wait for a server that is away is our decision
 }
+_QUIET = {"alembic": logging.WARNING, "mlflow": logging.WARNING, "mlflow.store.db.utils": logging.CRITICAL}
+"""Loggers, each with the level from which on it is heard: the last prints tracebacks of what it raises as well."""
 _LOCK = 0x61636F657870  # "acoexp"
 _T = TypeVar("_T")
 
@@ -51,15 +56,15 @@ class Store:
     """
 
     def __init__(self, uri: str) -> None:
-        file, mark, query = uri.removeprefix(_SQLITE).partition("?")
-        self.file = Path(file).absolute() if uri.startswith(_SQLITE) else None
-        self.uri = uri if self.file is None else f"{_SQLITE}{self.file}{mark}{query}"
+        sqlite = _SQLITE.fullmatch(uri)
+        self.file = None if sqlite is None else Path(sqlite[2]).absolute()
+        self.uri = uri if sqlite is None else f"{sqlite[1]}{self.file}{sqlite[3]}"
         self.folder = None if self.file is None else self.file.parent
-        self.shown = re.sub(r"//[^/@]*@", "//***@", uri)  # no password on a screen or in a log
+        self.shown = masked(uri, uri)
         self._is_gone = False  # patience ran out once: nobody waits for it again
 
     def prepare(self) -> None:
-        """Create the store and the experiment if they are not there.
+        """Create the store and the experiment if they are not there; find the artifacts of one that was moved.
 
         Raises:
             TrackingError: if the store cannot be reached or written.
@@ -71,12 +76,11 @@ class Store:
                 self.file.parent.mkdir(parents=True, exist_ok=True)
             with self._alone():
                 if self.file is not None:
-                    _check_writable(self.file)
-                experiment = self.client.get_experiment_by_name(EXPERIMENT)
-                if experiment is None:
-                    self.client.create_experiment(EXPERIMENT, self._artifacts())
-                elif experiment.lifecycle_stage != "active":
-                    self.client.restore_experiment(experiment.experiment_id)
+                    make_whole(self.file, self._make)
+                    check_writable(self.file)
+                self._prepare_experiment(self.client)
+                if self.file is not None:
+                    bring_artifacts_along(self.file, EXPERIMENT)
 
     def with_retries(self, action: Callable[[], _T], what: str) -> _T:
         """Do something with the store, again and again while it is away.
@@ -96,12 +100,13 @@ class Store:
                     return action()
                 except Exception as problem:
                     waited = time.monotonic() - began
-                    if not _may_pass(problem) or self._is_gone:
+                    if not may_pass(problem) or self._is_gone:
                         raise
                     if waited + pause > PATIENCE:
                         self._is_gone = True
                         raise StoreGoneError(
-                            f"tracking.uri: {self.shown} {what} for {PATIENCE:.0f} s: {_reason(problem)}"
+                            f"tracking.uri: {self.shown} {what} for {PATIENCE:.0f} s: "
+                            f"{reason_of(problem, self.uri)}"
                         ) from problem
                     if not warned:
                         warned = True
@@ -109,29 +114,36 @@ class Store:
                     time.sleep(pause)
                     pause = min(2.0 * pause, 5.0)
 
-    def search(self, condition: str) -> list[Run]:
-        """Return all runs of the experiment that meet a condition in MLflow's language, the oldest first."""
+    def search(self, condition: str, at_most: int | None = None) -> list[Run]:
+        """Return the runs of the experiment that meet a condition in MLflow's language, the oldest first.
+
+        Args:
+            condition: The condition; empty for all runs.
+            at_most: How many are of use: where there are more, only some are returned, but more than these.
+        """
         runs: list[Run] = []
+        size = _PAGE if at_most is None else min(_PAGE, at_most + 1)
         token = None
-        while True:
+        while at_most is None or len(runs) <= at_most:
             page = self.client.search_runs(
-                [self.experiment_id], condition, 1, _PAGE, ["attributes.start_time ASC"], token
+                [self.experiment_id], condition, 1, size, ["attributes.start_time ASC"], token
             )
             runs.extend(page)
             token = page.token
             if not token:
-                return runs
+                break
+        return runs
 
     @cached_property
     def client(self) -> MlflowClient:
-        """MLflow's client for this store."""
-        for key, value in _MLFLOW_SETTINGS.items():
-            os.environ.setdefault(key, value)
-        logging.getLogger("alembic").setLevel(logging.WARNING)
-        from mlflow import MlflowClient
+        """MLflow's client for this store.
 
-        logging.getLogger("mlflow").setLevel(logging.WARNING)
-        return MlflowClient(self.uri)
+        Raises:
+            TrackingError: if its file is none that this MLflow can open.
+        """
+        if self.file is not None:
+            check_openable(self.file)
+        return _client_for(self.uri)
 
     @cached_property
     def experiment_id(self) -> str:
@@ -141,11 +153,23 @@ class Store:
             raise TrackingError(f"tracking.uri: no experiment {EXPERIMENT!r} at {self.shown}")
         return str(experiment.experiment_id)
 
+    def _make(self, draft: Path) -> None:
+        """Make this store in another file."""
+        before, _, after = self.uri.partition(str(self.file))
+        self._prepare_experiment(_client_for(f"{before}{draft}{after}"))
+
+    def _prepare_experiment(self, client: MlflowClient) -> None:
+        experiment = client.get_experiment_by_name(EXPERIMENT)
+        if experiment is None:
+            client.create_experiment(EXPERIMENT, self._artifacts())
+        elif experiment.lifecycle_stage != "active":
+            client.restore_experiment(experiment.experiment_id)
+
     @contextmanager
     def _alone(self) -> Iterator[None]:
         """Keep other processes out: several that migrate one fresh database at once all fail."""
         if self.file is not None:
-            with FileLock(f"{self.file}.lock"):
+            with FileLock(f"{self.file}.lock", timeout=PATIENCE):
                 yield
         elif self.uri.startswith("postgresql"):
             from sqlalchemy import create_engine, text
@@ -165,7 +189,7 @@ class Store:
         if self.uri.startswith(("http:", "https:")):
             return None
         folder = self.file.parent if self.file is not None else Path("outputs").absolute()
-        return (folder / "artifacts").as_uri()
+        return (folder / ARTIFACTS).as_uri()
 
     @contextmanager
     def _reporting(self, what: str) -> Iterator[None]:
@@ -177,7 +201,7 @@ class Store:
         except Exception as problem:
             raise TrackingError(
                 f"tracking.uri: expected an MLflow store that can be written; {self.shown} {what}: "
-                f"{_reason(problem)}"
+                f"{reason_of(problem, self.uri)}"
             ) from problem
 
 
@@ -191,28 +215,12 @@ def open_store(uri: str) -> Store:
     return _store_at(uri, Store(uri).uri)
 
 
-def _reason(problem: Exception) -> str:
-    return next(iter(str(problem).strip().splitlines()), type(problem).__name__)
+def _client_for(uri: str) -> MlflowClient:
+    """Return MLflow's client for an address; MLflow says nothing but what is raised."""
+    for key, value in _MLFLOW_SETTINGS.items():
+        os.environ.setdefault(key, value)
+    from mlflow import MlflowClient
 
-
-def _may_pass(problem: Exception) -> bool:
-    """Tell whether a failure is of the kind that ends by itself: no connection, a locked database, a restart."""
-    from mlflow.exceptions import MlflowException
-    from requests.exceptions import RequestException
-    from sqlalchemy.exc import InterfaceError, OperationalError
-
-    if isinstance(problem, MlflowException):
-        passing = ("TEMPORARILY_UNAVAILABLE", "INTERNAL_ERROR", "REQUEST_LIMIT_EXCEEDED", "BAD_REQUEST")
-        return problem.error_code in passing
-    return isinstance(
-        problem, RequestException | OperationalError | InterfaceError | ConnectionError | TimeoutError
-    )
-
-
-def _check_writable(file: Path) -> None:
-    """Take SQLite's lock for writing; MLflow would try again for minutes where that fails."""
-    if file.exists() and not os.access(file, os.W_OK):
-        raise PermissionError(f"{file} is read-only")
-    with closing(sqlite3.connect(file, timeout=10.0, isolation_level=None)) as database:
-        database.execute("BEGIN IMMEDIATE")
-        database.execute("ROLLBACK")
+    for name, level in _QUIET.items():  # after the import, which sets them
+        logging.getLogger(name).setLevel(level)
+    return MlflowClient(uri)

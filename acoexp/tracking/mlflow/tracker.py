@@ -4,26 +4,19 @@ from __future__ import annotations
 
 import logging
 import tempfile
-import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.tracking.mlflow.content import batch_metrics, tags_of, trial_metrics
-from acoexp.tracking.mlflow.owner import is_dead
-from acoexp.tracking.mlflow.run import (
-    ALIVE,
-    CONFIGURATION,
-    IDENTITY,
-    KIND,
-    OWNER,
-    RunWriter,
-    keep_one,
-    mark_failed,
-)
+from acoexp.errors import SettingsError
+from acoexp.tracking.mlflow.content import batch_metrics, trial_metrics, versions
+from acoexp.tracking.mlflow.left_behind import close_left_behind
+from acoexp.tracking.mlflow.masking import masked
+from acoexp.tracking.mlflow.run import CONFIGURATION, IDENTITY, KIND, RunWriter, is_whole, keep_one
 from acoexp.tracking.mlflow.store import EXPERIMENT, open_store
 from acoexp.tracking.setup import Found, Setup, Trial
 from acoexp.trial.seeds import Seeds, parse_seeds
@@ -35,9 +28,10 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-SILENT_FOR = 600.0
-"""Seconds without a sign of life after which a run that another machine began is taken for left behind."""
+_LOOK_UP = 50
+"""Runs that are loaded in about the time in which one of a hundred thousand is looked up."""
 _LONGEST_NAME = 250
+_FINISHED = "attributes.status = 'FINISHED'"
 ARCHIVES = "trials"
 """Folder of a batch's artifacts that holds its trials with their curves, a file for each portion."""
 
@@ -57,34 +51,25 @@ class MlflowTracker:
             TrackingError: if the store cannot be reached or written.
         """
         self.store.prepare()
-        self.store.with_retries(self._close_left_behind, "cannot be opened")
+        self.store.with_retries(lambda: close_left_behind(self.store), "cannot be opened")
 
-    def find(self, configuration_id: str) -> dict[str, Found]:
-        """Return the finished runs of a configuration, each under its identity."""
-        condition = f"tags.{CONFIGURATION} = '{configuration_id}' and attributes.status = 'FINISHED'"
-        runs = self.store.with_retries(lambda: self.store.search(condition), "cannot be searched")
-        same: dict[str, list[Run]] = {}
-        for run in runs:
-            same.setdefault(run.data.tags.get(IDENTITY, run.info.run_id), []).append(run)
-        # a process that was killed right after it finished a run may have left two
-        return {
-            identity: _found(runs[0] if len(runs) == 1 else keep_one(self.store, runs))
-            for identity, runs in same.items()
-        }
+    def find(self, configuration_id: str, identities: Collection[str]) -> dict[str, Found]:
+        """Return the finished runs of a configuration that are of some identities, each under its own."""
+        same: dict[str, list[Run]] = {identity: [] for identity in identities}
+        for run in filter(is_whole, self._finished(configuration_id, identities)):
+            same.get(run.data.tags.get(IDENTITY, ""), []).append(run)
+        return {identity: self._found(runs) for identity, runs in same.items() if runs}
 
     def has(self, identity: str) -> bool:
         """Tell whether there is a finished run of an identity."""
-        condition = f"tags.{IDENTITY} = '{identity}' and attributes.status = 'FINISHED'"
-        return bool(self.store.with_retries(lambda: self.store.search(condition), "cannot be searched"))
+        return any(map(is_whole, self._search(f"tags.{IDENTITY} = '{identity}' and {_FINISHED}")))
 
     def find_trials(self, configuration_id: str, seeds: Seeds) -> Iterator[Trials]:
         """Yield trials of a configuration that were kept in batches, finished or not, each at most once."""
-        runs = self.store.with_retries(
-            lambda: self.store.search(f"tags.{CONFIGURATION} = '{configuration_id}'"), "cannot be searched"
-        )
+        runs = self._search(f"tags.{CONFIGURATION} = '{configuration_id}' and tags.{KIND} = 'batch'")
         wanted = seeds.array()
-        batches = (run for run in runs if run.data.tags.get(KIND) == "batch" and _may_hold(run, wanted))
-        for portion in (portion for run in batches for portion in self._portions(run.info.run_id)):
+        batches = (run for run in runs if _may_hold(run, wanted))
+        for portion in (portion for run in batches for portion in self._portions(run)):
             new = portion.among(wanted)
             if len(new):
                 yield new
@@ -124,17 +109,43 @@ class MlflowTracker:
         writer.begin()
         return BatchRun(writer, setup.grid.optimum)
 
+    def _finished(self, configuration_id: str, identities: Collection[str]) -> list[Run]:
+        """Return finished runs of a configuration: all, or those of the identities, whichever is less work."""
+        few = _LOOK_UP * len(identities)
+        runs = self._search(f"tags.{CONFIGURATION} = '{configuration_id}' and {_FINISHED}", few)
+        if len(runs) <= few:
+            return runs
+        of_each = (self._search(f"tags.{IDENTITY} = '{identity}' and {_FINISHED}") for identity in identities)
+        return list(chain.from_iterable(of_each))
+
+    def _search(self, condition: str, at_most: int | None = None) -> list[Run]:
+        return self.store.with_retries(lambda: self.store.search(condition, at_most), "cannot be searched")
+
+    def _found(self, runs: Sequence[Run]) -> Found:
+        """Return the one run of an identity; a process killed right after it finished one may have left two."""
+        run = self.store.with_retries(lambda: keep_one(self.store, runs), "cannot be searched")
+        metrics = run.data.metrics
+        return Found(run.data.tags[KIND], int(metrics.get("trials", 1)), metrics)
+
     def _writer(self, setup: Setup, key: str, seeds: object, resume: bool) -> RunWriter:
         name = f"{setup.settings.label} {setup.grid.name} {key} {seeds}"[:_LONGEST_NAME]
-        tags = {**tags_of(setup), IDENTITY: setup.identity(seeds), KIND: "trial" if key == "seed" else "batch"}
+        tags = {
+            "map.digest": setup.grid.digest,
+            CONFIGURATION: setup.configuration_id,
+            IDENTITY: setup.identity(seeds),
+            KIND: "trial" if key == "seed" else "batch",
+            **versions(setup.settings.packages),
+        }
         return RunWriter(self.store, name, {**setup.params, key: str(seeds)}, tags, replace=not resume)
 
-    def _portions(self, run_id: str) -> Iterator[Trials]:
-        client = self.store.client
+    def _portions(self, run: Run) -> Iterator[Trials]:
+        client, run_id = self.store.client, run.info.run_id
         with tempfile.TemporaryDirectory() as folder:
-            for artifact in self.store.with_retries(
-                lambda: client.list_artifacts(run_id, ARCHIVES), "cannot be read"
-            ):
+            artifacts = self.store.with_retries(lambda: client.list_artifacts(run_id, ARCHIVES), "cannot be read")
+            if not artifacts and is_whole(run):
+                place = masked(run.info.artifact_uri)
+                log.warning("run %s: its trials are no longer in %s and are run again", run_id, place)
+            for artifact in artifacts:
 
                 def fetch(name: str = artifact.path) -> bytes:
                     return Path(client.download_artifacts(run_id, name, folder)).read_bytes()
@@ -143,18 +154,6 @@ class MlflowTracker:
                     yield Trials.from_bytes(self.store.with_retries(fetch, "cannot be read"))
                 except ValueError:
                     log.warning("run %s: %s is damaged and is left out", run_id, artifact.path)
-
-    def _close_left_behind(self) -> None:
-        """Mark runs as failed that no process writes any more."""
-        for run in self.store.search("attributes.status = 'RUNNING'"):
-            tags = run.data.tags
-            if OWNER not in tags:
-                continue
-            dead = is_dead(tags[OWNER])
-            silent = time.time() - float(tags.get(ALIVE, run.info.start_time)) / 1000.0 > SILENT_FOR
-            ended = dead or (dead is None and silent)
-            if ended and self.store.client.get_run(run.info.run_id).info.status == "RUNNING":
-                mark_failed(self.store, run.info.run_id, "left behind by a process that was killed")
 
 
 class BatchRun:
@@ -203,11 +202,11 @@ class BatchRun:
 
 
 def _may_hold(run: Run, wanted: NDArray[np.uint64]) -> bool:
-    """Tell whether a batch may hold trials of these seeds; a list of seeds too long for a parameter may."""
-    seeds = run.data.params.get("seeds")
-    return seeds is None or bool(np.intersect1d(wanted, parse_seeds(seeds).array()).size)
+    """Tell whether a batch may hold trials of these seeds.
 
-
-def _found(run: Run) -> Found:
-    metrics = run.data.metrics
-    return Found(int(metrics.get("trials", 1)), metrics, run.data.params)
+    Any may whose seeds are no parameter: MLflow takes no such long one, or a person has written over it.
+    """
+    try:
+        return bool(np.intersect1d(wanted, parse_seeds(run.data.params.get("seeds")).array()).size)
+    except SettingsError:
+        return True

@@ -86,7 +86,7 @@ def test_a_packages_preset_is_refused_as_it_is_in_python(tmp_path: Path, monkeyp
     write(tmp_path, "algo/nope", HARMLESS)
     assert options(tmp_path).load_config("algo/nope").config == {"rho": 0.25, "diffusion": {"gamma": 0.5}}
     monkeypatch.setattr(sources, "plugin_conf_dirs", lambda: {tmp_path: "windy 1.0"})
-    with pytest.raises(SettingsError, match="^algo: expected one of: .*; got 'nope'"):
+    with pytest.raises(SettingsError, match=r"^algo: expected one of: .*; got 'nope'"):
         options(tmp_path).load_config("algo/nope")
 
 

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
+import time
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
 import pytest
+from rich.console import Console
 
+from acoexp.command.results import watch
 from acoexp.command.results.records import BATCH, TRIAL, write_progress, write_record
 from acoexp.command.results.watch import Watched, watching
 
@@ -100,3 +104,18 @@ def test_where_nobody_knows_how_many_trials_it_will_be_none_are_named(tmp_path: 
     with watching(Watched(folder=tmp_path, where="nowhere")):
         put(tmp_path, "0", TRIAL, trial(0))
     assert ended(capsys)[0] == "1 trials finished in 0 s"
+
+
+def test_on_a_terminal_it_shows_how_far_the_jobs_are(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    screen = StringIO()
+    console = Console(file=screen, force_terminal=True, width=80)
+    monkeypatch.setattr(watch, "Console", lambda file: console)
+    monkeypatch.setattr(watch, "_LOOK_EVERY", 0.01)
+    with watching(Watched(folder=tmp_path, where="nowhere", trials=100, found=50)):
+        put(tmp_path, "0", TRIAL, trial(0))
+        (tmp_path / "1").mkdir()
+        write_progress(tmp_path / "1", 40)
+        deadline = time.monotonic() + 20.0
+        while " 91/100" not in screen.getvalue():
+            assert time.monotonic() < deadline
+            time.sleep(0.01)

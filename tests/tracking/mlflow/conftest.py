@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import shutil
+from itertools import count
 from pathlib import Path
 
 import pytest
 from mlflow import MlflowClient
 
 from acoexp.tracking.mlflow import store as store_module
+from acoexp.tracking.mlflow.store import Store
 from acoexp.tracking.mlflow.tracker import MlflowTracker
+
+IDENTITIES = map("identity {}".format, count())
 
 
 @pytest.fixture(scope="session")
@@ -35,6 +39,18 @@ def tracker(blank: Path, tmp_path_factory: pytest.TempPathFactory) -> MlflowTrac
     tracker = MlflowTracker(f"sqlite:///{file}")
     tracker.prepare()
     return tracker
+
+
+@pytest.fixture
+def store(tracker: MlflowTracker) -> Store:
+    """Return a store that is ready."""
+    return tracker.store
+
+
+@pytest.fixture
+def identity() -> str:
+    """Return an identity that no other test has."""
+    return next(IDENTITIES)
 
 
 @pytest.fixture

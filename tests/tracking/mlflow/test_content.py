@@ -16,8 +16,7 @@ from acoexp import Grid, Result
 from acoexp.registry.resolve import resolve
 from acoexp.strategies import Diffusion
 from acoexp.strategies.diffusion.none import NoDiffusion
-from acoexp.tracking.mlflow.content import _git_commit, batch_metrics, tags_of, trial_metrics
-from acoexp.tracking.setup import Setup
+from acoexp.tracking.mlflow.content import _git_commit, batch_metrics, trial_metrics, versions
 from acoexp.trial.features import NAMES
 from acoexp.trial.table import Aggregates
 
@@ -82,11 +81,9 @@ def test_a_batch_has_means_and_deviations_where_there_are_any_and_the_mean_of_it
     assert (said["trials"], said["never_arrived"], said["failed"], said["success_rate"]) == (8.0, 1.0, 2.0, 0.25)
 
 
-def test_its_tags_say_which_configuration_on_which_map_by_which_packages() -> None:
-    setup = Setup.of(resolve("aco", {"diffusion": HomeMade()}), GRID)
-    tags = tags_of(setup)
+def test_its_tags_say_by_which_packages() -> None:
+    tags = versions(resolve("aco", {"diffusion": HomeMade()}).packages)
     ours = f"acoexp {version('acoexp')}"
-    assert (tags["cell"], tags["map.digest"]) == (setup.configuration_id, GRID.digest)
     assert tags["acoexp.version"] == version("acoexp")
     assert {key: value for key, value in tags.items() if key.endswith(".package")} == {
         "heuristic.package": ours, "choice.package": ours, "post.package": ours, "update.package": ours,
@@ -105,7 +102,7 @@ def test_the_commit_of_a_working_directory_in_a_repository_is_a_tag(
     monkeypatch.chdir(tmp_path)
     _git_commit.cache_clear()
     try:
-        tags = tags_of(Setup.of(resolve("aco", {}), GRID))
+        tags = versions({})
         assert tags["mlflow.source.git.commit"] == git("rev-parse", "HEAD")
     finally:
         _git_commit.cache_clear()

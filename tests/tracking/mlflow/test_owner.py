@@ -9,9 +9,14 @@ import time
 import psutil
 import pytest
 
-from acoexp.tracking.mlflow.owner import is_dead, this_process
+from acoexp.tracking.mlflow.owner import is_dead, is_mark, this_process
 
 MACHINE, PID, BEGAN = this_process().rsplit(" ", 2)
+
+
+def test_a_mark_is_told_from_what_a_person_may_write_in_its_place() -> None:
+    assert is_mark(this_process())
+    assert not any(map(is_mark, ["", "alice", "alice 1", "a b c", " 1 1.0", f"a {'9' * 30} 1.0", "a 1 nan"]))
 
 
 def test_a_process_that_asks_lives() -> None:

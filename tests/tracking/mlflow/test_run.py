@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from itertools import count
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -15,29 +15,17 @@ from mlflow.protos.databricks_pb2 import INVALID_PARAMETER_VALUE, PERMISSION_DEN
 
 from acoexp.errors import TrackingError
 from acoexp.tracking.mlflow.owner import this_process
-from acoexp.tracking.mlflow.run import RunWriter, keep_one, mark_failed
+from acoexp.tracking.mlflow.run import RunWriter, is_whole, keep_one, mark_failed
 from acoexp.tracking.mlflow.store import Store
-from acoexp.tracking.mlflow.tracker import MlflowTracker
 
-IDENTITIES = map("identity {}".format, count())
-
-
-@pytest.fixture
-def store(tracker: MlflowTracker) -> Store:
-    """Return a store that is ready."""
-    return tracker.store
-
-
-@pytest.fixture
-def identity() -> str:
-    """Return an identity that no other test has."""
-    return next(IDENTITIES)
+TRIAL = [Metric("optimum", 7.0, 1, 0), Metric("lost_ants", 0.0, 1, 0)]
+"""What every finished trial has."""
 
 
 def writer(store: Store, identity: str, replace: bool = False, **params: str) -> RunWriter:
     """Return a run that has begun."""
-    made = RunWriter(store, "mine", params, {"identity": identity}, replace=replace)
-    made.begin()
+    made = RunWriter(store, "mine", params, {"identity": identity, "kind": "trial"}, replace=replace)
+    made.begin(TRIAL)
     return made
 
 
@@ -113,6 +101,17 @@ def test_a_run_that_failed_says_why(store: Store, identity: str) -> None:
     writer(store, identity).fail("the part broke")
     (run,) = runs(store, identity)
     assert (run.info.status, run.data.tags["reason"]) == ("FAILED", "the part broke")
+
+
+def test_a_reason_longer_than_a_tag_is_cut(store: Store, identity: str) -> None:
+    writer(store, identity).fail("the part broke: " + "x" * 20_000)
+    (run,) = runs(store, identity)
+    assert run.data.tags["reason"] == "the part broke: " + "x" * 4980 + " ..."
+
+
+def test_a_reason_has_no_password(store: Store, identity: str) -> None:
+    writer(store, identity).fail("cannot reach http://me:s3cret@host/")
+    assert runs(store, identity)[0].data.tags["reason"] == "cannot reach http://***@host/"
 
 
 def test_a_hasty_end_marks_what_is_not_finished(store: Store, identity: str) -> None:
@@ -199,10 +198,11 @@ def test_runs_of_other_identities_and_of_others_that_are_at_work_stay(store: Sto
     working.abort("enough")
 
 
-def finished(run_id: str, began: int, replaces: str | None = None) -> Any:
+def finished(run_id: str, began: int, replaces: str | None = None, **metrics: float) -> Any:
     """Return a finished run as the store has it."""
-    tags = {} if replaces is None else {"anew": replaces}
-    return SimpleNamespace(info=SimpleNamespace(run_id=run_id, start_time=began), data=SimpleNamespace(tags=tags))
+    tags = {"kind": "batch"} if replaces is None else {"kind": "batch", "anew": replaces}
+    info = SimpleNamespace(run_id=run_id, start_time=began, status="FINISHED")
+    return SimpleNamespace(info=info, data=SimpleNamespace(tags=tags, metrics=metrics))
 
 
 class Deleting:
@@ -241,6 +241,32 @@ def test_a_run_that_another_process_has_deleted_already_is_gone_all_the_same() -
     refusing: Any = Deleting(MlflowException("not yours", PERMISSION_DENIED))
     with pytest.raises(MlflowException, match="not yours"):
         keep_one(refusing, both)
+
+
+BATCH = {"trials": 10.0, "never_arrived": 0.0, "success_rate": 0.5}
+"""What every finished batch has."""
+
+
+def test_a_finished_run_that_a_person_edited_is_not_taken_for_ours() -> None:
+    assert is_whole(finished("a", 1, **BATCH))
+    for name in BATCH:
+        assert not is_whole(finished("a", 1, **{key: value for key, value in BATCH.items() if key != name}))
+        assert not is_whole(finished("a", 1, **{**BATCH, name: math.nan}))
+    for kind in ({}, {"kind": ""}, {"kind": "mine"}):
+        edited = finished("a", 1, **BATCH)
+        edited.data.tags = kind
+        assert not is_whole(edited)
+
+
+def test_a_run_that_a_person_edited_stays_beside_the_one_that_was_run_in_its_place(
+    store: Store, identity: str
+) -> None:
+    writer(store, identity).finish()
+    (edited,) = runs(store, identity)
+    store.client.set_tag(edited.info.run_id, "kind", "mine")
+    writer(store, identity).finish()
+    assert statuses(store, identity) == ["FINISHED"] * 2
+    assert [is_whole(run) for run in runs(store, identity)] == [False, True]
 
 
 def test_what_the_store_does_not_take_is_told(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import time
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +15,7 @@ from acoexp.errors import TrackingError
 from acoexp.registry.resolve import resolve
 from acoexp.tracking.mlflow.run import RunWriter
 from acoexp.tracking.mlflow.tracker import MlflowTracker
-from acoexp.tracking.setup import Setup, Trial
+from acoexp.tracking.setup import Found, Setup, Trial
 from acoexp.trial.result import Result
 from acoexp.trial.seeds import Seeds, parse_seeds
 from acoexp.trial.solver import Solver
@@ -47,6 +46,11 @@ def runs_of(tracker: MlflowTracker, what: Setup) -> list[Run]:
     return tracker.store.search(f"tags.cell = '{what.configuration_id}'")
 
 
+def found(tracker: MlflowTracker, what: Setup, *seeds: int | Seeds) -> dict[str, Found]:
+    """Return what is found of the trials with some seeds, or the batches of some."""
+    return tracker.find(what.configuration_id, {what.identity(each) for each in seeds})
+
+
 def kept(tracker: MlflowTracker, what: Setup, seeds: Seeds = SEEDS) -> list[Trials]:
     """Return the trials that a store has of a batch, as they were kept."""
     return list(tracker.find_trials(what.configuration_id, seeds))
@@ -62,16 +66,17 @@ def test_a_trial_is_one_finished_run(tracker: MlflowTracker) -> None:
     assert (run.info.status, run.info.run_name) == ("FINISHED", "aco yard seed 3")
     assert run.data.params == one.params
     assert run.data.metrics["l1"] == one.result.l1
-    assert (run.data.tags["identity"], run.data.tags["kind"]) == (one.identity, "trial")
-    assert run.data.tags["map.digest"] == YARD.digest
+    tags = run.data.tags
+    assert (tags["identity"], tags["kind"], tags["map.digest"]) == (one.identity, "trial", YARD.digest)
+    assert tags["update.package"].startswith("acoexp ")
 
 
 def test_a_trial_that_was_kept_is_found_under_its_identity(tracker: MlflowTracker) -> None:
     one = trial(setup(0.02), seed=3)
-    assert (tracker.find(one.setup.configuration_id), tracker.has(one.identity)) == ({}, False)
+    assert (found(tracker, one.setup, 3), tracker.has(one.identity)) == ({}, False)
     tracker.log(one)
-    found = tracker.find(one.setup.configuration_id)[one.identity]
-    assert (found.trials, found.params["seed"], found.metrics["l1"]) == (1, "3", one.result.l1)
+    (run,) = found(tracker, one.setup, 3).values()
+    assert (run.kind, run.trials, run.metrics["l1"]) == ("trial", 1, one.result.l1)
     assert tracker.has(one.identity)
 
 
@@ -79,7 +84,7 @@ def test_where_no_ant_ever_arrived_the_run_is_finished_all_the_same(tracker: Mlf
     one = trial(setup(0.03))
     lost = dataclasses.replace(one.result, curve_pairs=np.full((4, 2), -1, dtype=np.int32), moves=None)
     tracker.log(Trial(one.setup, lost))
-    assert set(tracker.find(one.setup.configuration_id)[one.identity].metrics) == {"optimum", "lost_ants"}
+    assert set(found(tracker, one.setup, 0)[one.identity].metrics) == {"optimum", "lost_ants"}
 
 
 def test_the_same_trial_is_kept_once_unless_it_is_to_take_the_place_of_the_one_before(
@@ -92,7 +97,7 @@ def test_the_same_trial_is_kept_once_unless_it_is_to_take_the_place_of_the_one_b
     tracker.log(one, resume=False)
     (newer,) = runs_of(tracker, one.setup)
     assert newer.info.run_id != run.info.run_id
-    assert tracker.find(one.setup.configuration_id).keys() == {one.identity}
+    assert found(tracker, one.setup, 0).keys() == {one.identity}
 
 
 def test_a_trial_that_failed_is_kept_with_its_reason_and_not_found(tracker: MlflowTracker) -> None:
@@ -100,7 +105,7 @@ def test_a_trial_that_failed_is_kept_with_its_reason_and_not_found(tracker: Mlfl
     tracker.log_failure(what, 3, "the part broke")
     (run,) = runs_of(tracker, what)
     assert (run.info.status, run.data.tags["reason"], run.data.params["seed"]) == ("FAILED", "the part broke", "3")
-    assert tracker.find(what.configuration_id) == {}
+    assert found(tracker, what, 3) == {}
 
 
 @pytest.mark.parametrize("failure", [RuntimeError("disk full\nand more"), KeyboardInterrupt()])
@@ -134,7 +139,7 @@ def test_two_finished_runs_of_one_identity_become_one_when_they_are_found(
         for _ in range(2):
             tracker.log(one, resume=False)
     assert len(runs_of(tracker, one.setup)) == 2
-    assert tracker.find(one.setup.configuration_id).keys() == {one.identity}
+    assert found(tracker, one.setup, 0).keys() == {one.identity}
     assert len(runs_of(tracker, one.setup)) == 1
 
 
@@ -153,7 +158,8 @@ def test_a_batch_is_one_run_with_its_aggregates_and_its_table(tracker: MlflowTra
     assert (run.data.metrics["trials"], run.data.metrics["failed"]) == (10.0, 0.0)
     csv = tracker.store.client.download_artifacts(run.info.run_id, "trials.csv", str(tmp_path))
     assert Path(csv).read_text("utf-8").splitlines() == list(csv_lines(trials.table))
-    assert tracker.find(what.configuration_id)[what.identity(SEEDS)].trials == 10
+    (batch,) = found(tracker, what, SEEDS).values()
+    assert (batch.kind, batch.trials) == ("batch", 10)
 
 
 def test_a_batch_with_trials_that_failed_says_which_and_has_failed(tracker: MlflowTracker, tmp_path: Path) -> None:
@@ -214,46 +220,3 @@ def test_of_a_batch_that_two_kept_at_once_the_trials_of_one_stay(
         keep_only_this(writer, run_id)
     assert [run.info.status for run in runs_of(tracker, what)] == ["FINISHED"]
     assert Trials.joined(kept(tracker, what)).table.tobytes() == trials.table.tobytes()
-
-
-# --- what is left behind
-
-
-def test_a_run_that_a_living_process_writes_is_left_alone(tracker: MlflowTracker) -> None:
-    what = setup(0.16)
-    log = tracker.begin(what, SEEDS)
-    tracker.prepare()
-    assert [run.info.status for run in runs_of(tracker, what)] == ["RUNNING"]
-    log.abandon("enough")
-    assert [run.info.status for run in runs_of(tracker, what)] == ["FAILED"]
-
-
-def test_a_run_whose_process_is_gone_is_closed(tracker: MlflowTracker, monkeypatch: pytest.MonkeyPatch) -> None:
-    what = setup(0.17)
-    tracker.begin(what, SEEDS)
-    monkeypatch.setattr("acoexp.tracking.mlflow.tracker.is_dead", lambda mark: True)
-    tracker.prepare()
-    assert [(run.info.status, run.data.tags["reason"]) for run in runs_of(tracker, what)] == [
-        ("FAILED", "left behind by a process that was killed")
-    ]
-
-
-@pytest.mark.parametrize(("silent_for", "status"), [(599.0, "RUNNING"), (601.0, "FAILED")])
-def test_a_run_of_another_machine_is_closed_after_ten_minutes_of_silence(
-    tracker: MlflowTracker, silent_for: float, status: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    what, now = setup(0.18, alpha=silent_for / 1000.0), time.time()
-    tracker.begin(what, SEEDS)
-    (run,) = runs_of(tracker, what)
-    client = tracker.store.client
-    client.set_tag(run.info.run_id, "owner", "another-host boot space 1 1.00")
-    client.set_tag(run.info.run_id, "alive", str(int((now - silent_for) * 1000)))
-    monkeypatch.setattr("time.time", lambda: now)
-    tracker.prepare()
-    assert [run.info.status for run in runs_of(tracker, what)] == [status]
-
-
-def test_a_run_that_another_program_keeps_in_the_experiment_is_left_alone(tracker: MlflowTracker) -> None:
-    run = tracker.store.client.create_run(tracker.store.experiment_id)
-    tracker.prepare()
-    assert tracker.store.client.get_run(run.info.run_id).info.status == "RUNNING"

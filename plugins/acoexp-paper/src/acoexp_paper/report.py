@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from acoexp.compare.render import as_json, as_latex, markdown_table
+from acoexp.compare.render import as_json, as_latex, markdown_table, markdown_text
 from acoexp.console.whole import whole_folder
 from acoexp.errors import MapError, SettingsError
 from acoexp.grid.grid import Grid
@@ -125,7 +125,8 @@ def _write_files(found: Findings, folder: Path) -> None:
         "tables.json": as_json(records(found)),
     }
     for name, table in tables_in(report).items():
-        texts[f"tables/{name}.md"] = f"**{table.title}** {table.note}\n\n{markdown_table(table)}\n"
+        head = f"**{markdown_text(table.title)}** {markdown_text(table.note)}"
+        texts[f"tables/{name}.md"] = f"{head}\n\n{markdown_table(table)}\n"
         texts[f"tables/{name}.tex"] = as_latex([table])
         texts[f"tables/{name}.csv"] = as_csv(table)
     for name, text in texts.items():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from acoexp_paper.page.formats import estimate, number
+from acoexp_paper.page.formats import estimate, number, yes_or_no
 
 from acoexp.compare.statistics import Estimate
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from html import escape
 from importlib.resources import files
 
-from acoexp.compare.render import html_table, markdown_table
+from acoexp.compare.render import html_table, markdown_table, markdown_text
 from acoexp.compare.tables import Table
 from acoexp_paper.claims.verdicts import DEPENDS, FAILS, HOLDS, OPPOSITE
 from acoexp_paper.page.document import Block, Bullets, Document, Figure, Heading, Numbers, Section, Text
@@ -21,24 +21,26 @@ _CLASSES = {HOLDS: "yes", "yes": "yes", FAILS: "no", "no": "no", OPPOSITE: "agai
 
 def as_markdown(document: Document) -> str:
     """Return the document as Markdown, its figures as links to their files."""
-    parts = [f"# {document.title}", document.lead]
+    parts = [f"# {markdown_text(document.title)}", markdown_text(document.lead)]
     for section in document.sections:
-        parts += [f"## {section.title}", *map(_markdown, section.blocks)]
+        parts += [f"## {markdown_text(section.title)}", *map(_markdown, section.blocks)]
     return "\n\n".join(parts) + "\n"
 
 
 def _markdown(block: Block) -> str:
     match block:
         case Text(text):
-            return text
+            return markdown_text(text)
         case Heading(text):
-            return f"### {text}"
+            return f"### {markdown_text(text)}"
         case Bullets(items):
-            return "\n".join(f"- {item}" for item in items)
+            return "\n".join(f"- {markdown_text(item)}" for item in items)
         case Numbers(_, table):
-            return f"**{table.title}**\n\n{table.note}\n\n{markdown_table(table)}"
+            title, note = markdown_text(table.title), markdown_text(table.note)
+            return f"**{title}**\n\n{note}\n\n{markdown_table(table)}"
         case Figure(name, caption):
-            return f"![{caption}](figures/{name}.svg)\n\n*{caption}*"
+            text = re.sub(r"(?<!\\)[][]", r"\\\g<0>", markdown_text(caption))
+            return f"![{text}](figures/{name}.svg)\n\n*{text}*"
 
 
 def as_html(document: Document, drawings: Mapping[str, str]) -> str:

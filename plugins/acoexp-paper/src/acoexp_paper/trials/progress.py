@@ -22,7 +22,7 @@ def shown_progress(trials: int) -> Iterator[Callable[[str, int], None]]:
     finished: dict[str, int] = {}
     display = Progress(
         *columns,
-        TextColumn("{task.description}"),
+        TextColumn("{task.description}", markup=False),
         console=console,
         transient=True,
         disable=not console.is_terminal,

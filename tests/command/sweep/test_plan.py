@@ -1,0 +1,219 @@
+"""The plan of a sweep: its jobs in order, each checked before any runs, and those left out that need not run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hydra.core.global_hydra import GlobalHydra
+from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.errors import HydraException
+from hydra.types import RunMode
+from omegaconf import DictConfig, OmegaConf
+
+from acoexp.command.handover import Handover
+from acoexp.command.sweep.plan import Plan, as_written, combinations, first_number, fix_folder
+from acoexp.errors import SettingsError
+from acoexp.tracking.setup import Found
+from acoexp.tracking.tracker import NoTracker
+
+Composed = Callable[..., DictConfig]
+
+QUICK = ("tracking=none", "iterations=3", "ants=2")
+
+
+def parsed(*overrides: str) -> list[Any]:
+    """Return overrides as Hydra reads them."""
+    return OverridesParser.create().parse_overrides(list(overrides))
+
+
+# --- what each job is told
+
+
+def test_each_job_is_told_one_value_of_each_key_the_last_keys_changing_fastest() -> None:
+    assert combinations(parsed("algo=aco,pd", "rho=0.5", "seed=0,1")) == [
+        ["algo=aco", "rho=0.5", "seed=0"],
+        ["algo=aco", "rho=0.5", "seed=1"],
+        ["algo=pd", "rho=0.5", "seed=0"],
+        ["algo=pd", "rho=0.5", "seed=1"],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("written", "values"),
+    [
+        ("rho=choice(0.1,0.2)", ["rho=0.1", "rho=0.2"]),
+        ("ants=range(1,4)", ["ants=1", "ants=2", "ants=3"]),
+        ("diffusion.gamma=choice(0.5)", ["diffusion.gamma=0.5"]),
+        ("map.path='a,b'", ["map.path='a,b'"]),
+        ("+study=slow,wide", ["+study=slow", "+study=wide"]),
+    ],
+)
+def test_values_are_written_as_hydra_reads_them_again(written: str, values: list[str]) -> None:
+    assert [told for (told,) in combinations(parsed(written))] == values
+
+
+def test_without_anything_to_choose_there_is_one_job() -> None:
+    assert combinations([]) == [[]]
+    assert combinations(parsed("rho=0.5")) == [["rho=0.5"]]
+
+
+def test_of_a_key_that_is_said_twice_the_last_word_counts() -> None:
+    assert combinations(parsed("rho=0.1,0.2", "ants=3", "rho=0.5")) == [["rho=0.5", "ants=3"]]
+
+
+@pytest.mark.parametrize("interval", ["rho=interval(0.1,0.9)", "rho=tag(fast,interval(0,1))"])
+def test_an_interval_is_only_for_an_optimiser(interval: str) -> None:
+    with pytest.raises(HydraException, match=r"^rho=.*: expected values or a range, .*another hydra/sweeper"):
+        combinations(parsed(interval))
+
+
+# --- its folder
+
+
+@pytest.mark.parametrize("name", ["plain", "it's swept", "with, comma", "a b"])
+def test_the_folder_is_absolute_for_every_job_that_is_composed_later(
+    name: str, composed: Composed, tmp_path: Path
+) -> None:
+    config = OmegaConf.create({"hydra": {"sweep": {"dir": name}, "overrides": {"hydra": []}}})
+    assert fix_folder(config) == tmp_path / name
+    assert composed(*config.hydra.overrides.hydra).hydra.sweep.dir == str(tmp_path / name)
+
+
+def test_jobs_are_numbered_on_from_those_that_are_in_the_folder(tmp_path: Path) -> None:
+    assert first_number(tmp_path) == 0
+    for name in ("0", "9", "10", "maps", ".submitit", "x11"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "99").touch()
+    assert first_number(tmp_path) == 11
+
+
+def test_what_only_a_job_knows_stays_as_it_was_written() -> None:
+    config = OmegaConf.create({"texts": ["hydra.sweep.subdir=${hydra.job.num}", "rho=0.5"]})
+    assert as_written(config.texts) == ["hydra.sweep.subdir=${hydra.job.num}", "rho=0.5"]
+
+
+# --- the plan
+
+
+class Store(NoTracker):
+    """A store that has finished runs."""
+
+    def __init__(self, where: str = "nowhere", address: str | None = None) -> None:
+        self.where, self.address, self.prepared = where, address, 0
+        self.runs: dict[str, dict[str, Found]] = {}
+
+    def prepare(self) -> None:
+        self.prepared += 1
+
+    def find(self, configuration_id: str) -> dict[str, Found]:
+        return self.runs.get(configuration_id, {})
+
+
+@pytest.fixture
+def planned(composed: Composed, handover: Handover) -> Callable[..., Plan]:
+    """Return what makes the plan of a sweep from overrides."""
+
+    def plan(*overrides: str) -> Plan:
+        config = composed(*(text for text in overrides if text.startswith("hydra.")), mode=RunMode.MULTIRUN)
+        loader = GlobalHydra.instance().config_loader()
+        sources = list(loader.get_sources())
+        try:
+            return Plan(config, loader, parsed(*(text for text in overrides if not text.startswith("hydra."))))
+        finally:
+            loader.get_sources()[:] = sources  # it made them remember
+
+    return plan
+
+
+def test_a_configuration_is_checked_once_whatever_its_seeds(planned: Callable[..., Plan]) -> None:
+    plan = planned("algo=aco,pd", "seed=0,1,2", *QUICK)
+    assert [job.config["algo"] for job in plan.jobs.values()] == ["aco", "pd"]
+    assert plan.has_reports is False
+    assert plan.where == "not tracked"
+
+
+@pytest.mark.parametrize(
+    ("overrides", "said"),
+    [
+        (["rho=0.3,1.5"], "rho: expected a number from 0 to 1; got 1.5"),
+        (["seed=1,x"], "seed: expected a whole number from 0 to 2^64 - 1; got 'x'"),
+        (["seed=1,01"], "seed: expected a whole number from 0 to 2^64 - 1; got '01'"),
+        (["seed=1,-1"], "seed: expected a whole number from 0 to 2^64 - 1; got '-1'"),
+    ],
+)
+def test_one_job_that_is_wrong_stops_all(planned: Callable[..., Plan], overrides: list[str], said: str) -> None:
+    with pytest.raises(SettingsError) as caught:
+        planned(*overrides, *QUICK)
+    assert str(caught.value) == said
+
+
+def test_all_stores_are_made_ready_and_their_addresses_and_all_maps_handed_over(
+    planned: Callable[..., Plan], handover: Handover, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    stores = {uri: Store(uri, f"/absolute/{uri}") for uri in ("x", "y")}
+    monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: stores[config["uri"]])
+    plan = planned("tracking.uri=x,y", "map=fig13,env1")
+    assert plan.where == "x, y"
+    plan.prepare(tmp_path)
+    assert [store.prepared for store in stores.values()] == [1, 1]
+    assert handover.addresses == {"x": "/absolute/x", "y": "/absolute/y"}
+    maps = [handover.map_of(job.config["map"]) for job in plan.jobs.values()]
+    assert [grid.name for grid in maps if grid is not None] == ["fig13", "env1"] * 2
+
+
+def test_what_the_store_has_is_left_out_and_its_record_is_there(
+    planned: Callable[..., Plan], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = Store()
+    monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: store)
+    plan = planned("algo=aco,pd", "seed=0,1", *QUICK)
+    setup = next(iter(plan.jobs.values())).setup
+    store.runs[setup.configuration_id] = {setup.identity(1): Found(1, {"l1": 35.0}, {**setup.params, "seed": "1"})}
+    left = plan.leave_out_known()
+    assert [[text for text in told if text not in QUICK] for told in left.missing] == [
+        ["algo=aco", "seed=0"], ["algo=pd", "seed=0"], ["algo=pd", "seed=1"],
+    ]  # fmt: skip
+    assert [(record["seed"], record["l1"]) for record in left.known] == [("1", 35.0)]
+    assert (left.found, left.trials, left.repeated) == (1, 4, 0)
+
+
+def test_without_resuming_nothing_is_left_out(
+    planned: Callable[..., Plan], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = Store()
+    monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: store)
+    plan = planned("seed=0,1", "resume=false", *QUICK)
+    setup = next(iter(plan.jobs.values())).setup
+    store.runs[setup.configuration_id] = {setup.identity(1): Found(1, {}, setup.params)}
+    assert (len(plan.leave_out_known().missing), plan.leave_out_known().found) == (2, 0)
+
+
+def test_a_batch_is_as_many_trials_as_it_has_seeds(
+    planned: Callable[..., Plan], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = Store()
+    monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: store)
+    plan = planned("algo=aco,pd", "seeds='0-9'", *QUICK)
+    job = next(iter(plan.jobs.values()))
+    metrics = {"never_arrived": 0.0, "success_rate": 0.5}
+    found = Found(10, metrics, {**job.setup.params, "seeds": "0-9"})
+    store.runs[job.setup.configuration_id] = {job.setup.identity(job.seeds): found}
+    left = plan.leave_out_known()
+    assert (len(left.missing), left.found, left.trials) == (1, 10, 20)
+
+
+def test_jobs_that_say_the_same_run_once(planned: Callable[..., Plan]) -> None:
+    left = planned("rho=0.5,0.50,0.6", "seed=0,1,0", *QUICK).leave_out_known()
+    assert [[text for text in told if text not in QUICK] for told in left.missing] == [
+        ["rho=0.5", "seed=0"], ["rho=0.5", "seed=1"], ["rho=0.6", "seed=0"], ["rho=0.6", "seed=1"],
+    ]  # fmt: skip
+    assert (left.trials, left.repeated) == (4, 5)
+
+
+def test_reports_are_never_left_out(planned: Callable[..., Plan]) -> None:
+    plan = planned("report=compare", "report.trials=2,2", "tracking=none")
+    assert plan.has_reports
+    assert (len(plan.leave_out_known().missing), plan.leave_out_known().repeated) == (2, 0)
