@@ -5,7 +5,15 @@ from __future__ import annotations
 import pytest
 
 from acoexp import errors
-from acoexp.errors import AcoexpError, MapError, SettingsError, StoreGoneError, StrategyError, did_you_mean
+from acoexp.errors import (
+    AcoexpError,
+    MapError,
+    SettingsError,
+    StoreGoneError,
+    StrategyError,
+    did_you_mean,
+    shown,
+)
 
 
 def test_whatever_is_raised_on_purpose_is_caught_as_one_kind() -> None:
@@ -43,3 +51,21 @@ def test_a_word_much_like_a_known_one_is_recognised(given: object, said: str) ->
 def test_the_known_words_may_be_any_iterable() -> None:
     assert did_you_mean("rhoo", {"rho": 0.5, "ants": 10}) == "; did you mean rho?"
     assert did_you_mean("rhoo", (key for key in ("rho", "ants"))) == "; did you mean rho?"
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ("a b", "'a b'"),
+        (None, "None"),
+        (10**200 - 1, "9" * 200),
+        (10**200, "a number of more than 200 digits"),
+        (-(10**9000), "a number of more than 200 digits"),
+        ([10**9000], "a list"),
+        ("x" * 198, "'" + "x" * 198 + "'"),
+        ("x" * 1000, "'" + "x" * 199 + "... (1002 characters)"),
+    ],
+    ids=lambda value: str(type(value)),
+)
+def test_a_message_shows_what_came_and_of_what_is_long_its_beginning(value: object, said: str) -> None:
+    assert shown(value) == said

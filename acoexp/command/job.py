@@ -33,6 +33,7 @@ from acoexp.report.context import Context
 from acoexp.report.report import Report
 from acoexp.runs.batch import keep_batch, kept_trials
 from acoexp.runs.trial import keep_trial
+from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.open import open_tracker
 from acoexp.tracking.setup import Setup
 from acoexp.tracking.tracker import Tracker
@@ -111,7 +112,8 @@ class Job:
         if self.report is not None:
             reports = Path("outputs/reports") if alone else folder
             return self._write_report(self.report, reports / self.config["report"]["name"])
-        write_whole(folder / "config.yaml", OmegaConf.to_yaml(self.config))
+        address = str(self._mapping("tracking").get("uri", ""))
+        write_whole(folder / "config.yaml", masked(OmegaConf.to_yaml(self.config), address))
         if self.seeds is None:
             return self._run_trial(folder, alone)
         watched = Watched(folder=folder, where=self.tracker.where, trials=len(self.seeds))
@@ -163,6 +165,11 @@ class Job:
             grid=self.setup.grid,
             folder=folder,
             trials_of=partial(kept_trials, tracker=self.tracker, threads=keys.threads, resume=keys.resume),
+            made_by={
+                "report": self.config["report"],
+                "settings": self.setup.settings.as_dict(),
+                "map": [self.setup.grid.name, self.setup.grid.digest],
+            },
         )
 
     def _keys(self) -> tuple[JobKeys, Seeds | None]:

@@ -13,6 +13,7 @@ from acoexp.console.plain import one_line
 from acoexp.errors import did_you_mean
 from acoexp.registry.entries import GROUPS, not_found
 from acoexp.registry.parts import key_of_another
+from acoexp.tracking.mlflow.masking import masked
 
 _EXTRAS = {
     "hydra/launcher/joblib": ("engine", "joblib"),
@@ -27,7 +28,7 @@ def in_one_line(problem: Exception) -> str:
     """Return an error's message as one line."""
     if isinstance(problem, InterpolationResolutionError):
         return _unresolved(problem)
-    text = one_line(str(problem).partition("Config search path")[0])
+    text = masked(one_line(str(problem).partition("Config search path")[0]))
     unknown = re.match(r"Could not override '([^']+)'", text)
     if unknown:
         return _unknown_key(unknown[1], getattr(problem.__cause__, "parent_node", None))

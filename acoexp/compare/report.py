@@ -12,8 +12,7 @@ from acoexp.compare import render
 from acoexp.compare.configuration import Configuration, parse_configurations
 from acoexp.compare.measures import Row, Sample, configuration_row, pair_rows
 from acoexp.compare.tables import number, tables_of
-from acoexp.console.whole import whole_folder
-from acoexp.errors import AcoexpError, SettingsError
+from acoexp.errors import AcoexpError, SettingsError, shown
 from acoexp.grid.grid import Grid
 from acoexp.parameters import parameter
 from acoexp.registry.parts import build_part
@@ -51,7 +50,7 @@ class Compare(Report):
             for grid in grids
             for one in compared
         ]
-        with whole_folder(context.folder) as folder:
+        with context.draft() as folder:
             self._write_files(folder, compared, grids, samples)
         return context.folder
 
@@ -131,5 +130,5 @@ def _load(name: str) -> Grid:
     try:
         grid: Grid = build_part("map", name, {}).load()
     except AcoexpError as problem:
-        raise type(problem)(f"report.maps: {name!r}: {problem}") from problem
+        raise type(problem)(f"report.maps: {shown(name)}: {problem}") from problem
     return grid

@@ -11,9 +11,9 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
-from acoexp.console.ending import ends_cleanly
+from acoexp.console.ending import ends_cleanly, print_error
 from acoexp.errors import TrackingError
-from acoexp.merge.copying import merge
+from acoexp.merge.copying import RefusedError, merge
 from acoexp.parameters import defaults_of
 from acoexp.tracking.mlflow.store import Store
 from acoexp.tracking.mlflow.tracker import MlflowTracker
@@ -40,19 +40,29 @@ def main(argv: list[str] | None = None) -> None:
             if source.uri == target.store.uri:
                 raise TrackingError(f"expected a store other than the one to bring runs into; got {source.shown}")
         target.prepare()
-        for source in sources:
-            _merge(source, target.store)
+        refused = [problem for source in sources for problem in _merge(source, target.store)]
+        for problem in refused[:-1]:
+            print_error(str(problem))
+        if refused:
+            raise refused[-1]
 
 
-def _merge(source: Store, target: Store) -> None:
+def _merge(source: Store, target: Store) -> list[RefusedError]:
+    """Bring the runs of one store and say how many; return what was refused, if anything was."""
+    refused: list[RefusedError] = []
     console = Console(file=sys.stderr)
     with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("runs", total=None)
-        merged = merge(source, target, lambda done, runs: progress.update(task, completed=done, total=runs))
+        try:
+            merged = merge(source, target, lambda done, runs: progress.update(task, completed=done, total=runs))
+        except RefusedError as problem:
+            merged = problem.merged
+            refused.append(problem)
     print(
         f"{merged.brought} runs brought from {source.shown}; {merged.known} were there already, "
-        f"{merged.left} are not finished"
+        f"{merged.left} are not finished" + (f", {merged.refused} are refused" if merged.refused else "")
     )
+    return refused
 
 
 def _existing(text: str) -> Store:

@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
 
-from acoexp.errors import TrackingError
-from acoexp.tracking.mlflow.run import ALIVE, IDENTITY, OWNER, WRITER, RunWriter
+from acoexp.errors import StoreGoneError, TrackingError
+from acoexp.merge.artifacts import artifacts_of
+from acoexp.tracking.mlflow.run import ALIVE, IDENTITY, OWNER, REPLACES, WRITER, RunWriter
 from acoexp.tracking.mlflow.store import Store
 
 if TYPE_CHECKING:
     from mlflow.entities import Metric, Run
 
-_MADE_BY_WRITER = {OWNER, WRITER, ALIVE}
+_NOT_BROUGHT = {OWNER, WRITER, ALIVE, REPLACES}
+"""Tags that say who writes a run, and that it takes the place of another: in its own store."""
+
+_NAMED = 20
+"""Runs that a message names."""
+
+_IDENTITY = re.compile("[0-9a-f]{32}")
+"""It is put into questions to the store, so nothing else may be in it."""
 
 
 class Merged(NamedTuple):
@@ -26,11 +33,26 @@ class Merged(NamedTuple):
         brought: Runs that were copied.
         known: Finished runs whose identity was there already.
         left: Runs that are not finished, or of no identity.
+        refused: Runs that were to be copied and were not.
     """
 
     brought: int
     known: int
     left: int
+    refused: int = 0
+
+
+class RefusedError(TrackingError):
+    """Some runs were refused; all others were brought.
+
+    Attributes:
+        merged: What became of all of them.
+    """
+
+    def __init__(self, merged: Merged, reasons: Sequence[str]) -> None:
+        more = f"; and {len(reasons) - _NAMED} more" if len(reasons) > _NAMED else ""
+        super().__init__("; ".join(reasons[:_NAMED]) + more)
+        self.merged = merged
 
 
 def merge(source: Store, target: Store, show: Callable[[int, int], None] = lambda done, all: None) -> Merged:
@@ -42,32 +64,46 @@ def merge(source: Store, target: Store, show: Callable[[int, int], None] = lambd
         show: Called after each run with how many are done, and of how many.
 
     Raises:
-        TrackingError: if a store cannot be read or written, or a run's artifacts are not to be found. What was
-            brought before stays, whole; the same merge again brings the rest.
+        RefusedError: if runs cannot be brought, such as for artifacts that are no files of the store's own; all
+            others are.
+        TrackingError: if a store cannot be read or written. What was brought before stays, whole; the same merge
+            again brings the rest.
     """
     runs = source.with_retries(lambda: source.search(""), "cannot be searched")
-    finished = [run for run in runs if run.info.status == "FINISHED" and IDENTITY in run.data.tags]
+    finished = [run for run in runs if run.info.status == "FINISHED" and _is_known(run)]
     here = target.with_retries(lambda: target.search("attributes.status = 'FINISHED'"), "cannot be searched")
     known = {run.data.tags.get(IDENTITY) for run in here}
     missing = {run.data.tags[IDENTITY]: run for run in finished if run.data.tags[IDENTITY] not in known}
+    refused: list[str] = []
     for done, run in enumerate(missing.values(), 1):
-        _copy(source, target, run)
+        try:
+            _copy(source, target, run)
+        except StoreGoneError:
+            raise
+        except TrackingError as problem:  # this run's own; whoever wrote the store may have written anything
+            refused.append(f"run {run.info.run_id} of {source.shown}: {problem}")
         show(done, len(missing))
-    return Merged(len(missing), len(finished) - len(missing), len(runs) - len(finished))
+    there = len(finished) - len(missing)
+    merged = Merged(len(missing) - len(refused), there, len(runs) - len(finished), len(refused))
+    if refused:
+        raise RefusedError(merged, refused)
+    return merged
+
+
+def _is_known(run: Run) -> bool:
+    return _IDENTITY.fullmatch(run.data.tags.get(IDENTITY, "")) is not None
 
 
 def _copy(source: Store, target: Store, run: Run) -> None:
-    tags = {k: v for k, v in run.data.tags.items() if k not in _MADE_BY_WRITER}
+    tags = {k: v for k, v in run.data.tags.items() if k not in _NOT_BROUGHT}
     name = run.info.run_name or ""
     with tempfile.TemporaryDirectory() as folder:
-        artifacts = _artifacts(source, run, Path(folder))  # first, so that a run without them is not begun
+        artifacts = artifacts_of(source, run, Path(folder))  # first, so that a run without them is not begun
         writer = RunWriter(target, name, run.data.params, tags, started=run.info.start_time)
         try:
             writer.begin(_metrics(source, run))
-            if artifacts is not None:
-                for file in sorted(path for path in artifacts.rglob("*") if path.is_file()):
-                    inside = file.parent.relative_to(artifacts).as_posix()
-                    writer.log_file(file, None if inside == "." else inside)
+            for file, inside in artifacts:
+                writer.log_file(file, inside)
             writer.finish(run.info.end_time)
         except BaseException as problem:
             writer.abort(str(problem) or type(problem).__name__)
@@ -82,29 +118,3 @@ def _metrics(source: Store, run: Run) -> list[Metric]:
         return [point for key in run.data.metrics for point in client.get_metric_history(run_id, key)]
 
     return source.with_retries(history, "cannot be read")
-
-
-def _artifacts(source: Store, run: Run, folder: Path) -> Path | None:
-    """Return a folder with a run's artifacts, fetched into ``folder`` if need be; None if it has none.
-
-    A store that was copied from another machine names folders of that machine; they are looked for beside its
-    database then.
-    """
-    address = urlsplit(run.info.artifact_uri)
-    if address.scheme not in ("", "file"):
-        run_id = run.info.run_id
-        return Path(
-            source.with_retries(
-                lambda: source.client.download_artifacts(run_id, "", str(folder)), "cannot be read"
-            )
-        )
-    named = Path(url2pathname(address.path))
-    beside = source.folder / "artifacts" / Path(*named.parts[-2:]) if source.folder is not None else named
-    for place in (named, beside):
-        if place.is_dir():
-            return place
-    if "trials" in run.data.metrics:
-        raise TrackingError(
-            f"run {run.info.run_id} of {source.shown}: expected its artifacts in {named} or {beside}; got neither"
-        )
-    return None

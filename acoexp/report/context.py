@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import json
+import logging
+import os
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
+from datetime import datetime
 from functools import cached_property
+from itertools import count
 from pathlib import Path
 from typing import Any
 
+from acoexp.console.whole import whole_folder
 from acoexp.grid.grid import Grid
 from acoexp.parameters import values_of
 from acoexp.trial.seeds import Seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.trials import Trials
+
+log = logging.getLogger(__name__)
+
+MADE_BY = ".made-by.json"
+"""File in a report's folder: by which settings it was made."""
 
 Count = Callable[[int], None]
 """Called with the number of trials that are finished, now and then."""
@@ -31,6 +43,7 @@ class Context:
         trials_of: Returns the trials of settings on a map with some seeds; they are kept, and what was kept before
             is taken from there.
         show: Called with a configuration's name and its number of finished trials while it runs.
+        made_by: All that the report depends on, as plain values; None where nobody asks.
     """
 
     algo: str
@@ -40,6 +53,7 @@ class Context:
     folder: Path
     trials_of: Callable[[Settings, Grid, Seeds, Count], Trials]
     show: Callable[[str, int], None] = lambda configuration, done: None
+    made_by: Mapping[str, Any] | None = None
 
     @cached_property
     def own_settings(self) -> dict[str, Any]:
@@ -67,6 +81,36 @@ class Context:
         """
         name = configuration or settings.label
         return self.trials_of(settings, grid, seeds, lambda done: self.show(name, done))
+
+    @contextmanager
+    def draft(self) -> Iterator[Path]:
+        """Give a folder to write the report to, which then takes the place of ``folder``, whole or not at all.
+
+        A report that is there and was made by other settings is kept beside it, under its date.
+        """
+        keep = self._keep()
+        with whole_folder(self.folder, keep) as draft:
+            yield draft
+            if self.made_by is not None:
+                (draft / MADE_BY).write_text(self._mark, encoding="utf-8")
+        if keep is not None:
+            log.info("the report that was in %s is of other settings, and is kept: %s", self.folder, keep)
+
+    @property
+    def _mark(self) -> str:
+        return json.dumps(self.made_by, sort_keys=True, default=str) + "\n"
+
+    def _keep(self) -> Path | None:
+        """Return where the report that is there is to be kept; None if this one may replace it."""
+        mark = self.folder / MADE_BY
+        if self.made_by is None or not os.path.lexists(self.folder):
+            return None
+        if mark.is_file() and mark.read_bytes() == self._mark.encode():
+            return None
+        made = datetime.fromtimestamp((mark if mark.is_file() else self.folder).lstat().st_mtime)
+        name = f"{self.folder.name}-{made:%Y-%m-%d-%H-%M-%S}"
+        names = (self.folder.with_name(name if number == 1 else f"{name}-{number}") for number in count(1))
+        return next(path for path in names if not os.path.lexists(path))
 
 
 def _changed(values: Any, defaults: Any) -> dict[str, Any]:

@@ -87,7 +87,6 @@ def test_a_worker_uses_the_map_and_the_address_that_its_parent_hands_over(
         (["report=compare", "seeds='0-9'"], "seeds: expected none with a report, which has keys of its own"),
         (["report=compare", "report.cells=[aco]"], "report.cells: expected two or more, each different"),
         (["+report.nope=1"], "report.nope is not a known key of report=none"),
-        (["rho=${nope}"], "rho: Interpolation key 'nope' not found"),
         (["~map"], "map: expected one of the options that --help lists; got None"),
     ],
 )

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import pytest
 from hydra.errors import ConfigCompositionException, HydraException
-from omegaconf import DictConfig
+from omegaconf import DictConfig, OmegaConf
+from omegaconf.errors import InterpolationKeyError
 
 from acoexp.command.messages import in_one_line
 from acoexp.errors import SettingsError
@@ -66,3 +67,30 @@ def test_what_hydra_does_not_know_is_told_with_what_may_have_been_meant(
     with pytest.raises((HydraException, ConfigCompositionException)) as caught:
         composed(override)
     assert in_one_line(caught.value) == said
+
+
+@pytest.mark.parametrize(
+    ("override", "said"),
+    [
+        (
+            "rho=${nope}",
+            "rho: Interpolation key 'nope' not found; where '${' is meant as it stands, type 'rho=\"\\${nope}\"'",
+        ),
+        (
+            "map.path=${nope}",
+            "map.path: Interpolation key 'nope' not found; where '${' is meant as it stands, "
+            "type 'map.path=\"\\${nope}\"'",
+        ),
+    ],
+)
+def test_a_reference_that_leads_nowhere_is_told_with_the_text_that_may_have_been_meant(
+    override: str, said: str, composed: Callable[..., DictConfig]
+) -> None:
+    config = composed("map=file", override)
+    with pytest.raises(InterpolationKeyError) as caught:
+        OmegaConf.to_container(OmegaConf.masked_copy(config, ["rho", "map"]), resolve=True)
+    assert in_one_line(caught.value) == said
+
+
+def test_what_a_terminal_would_obey_is_escaped() -> None:
+    assert in_one_line(HydraException("Could not load '\x1b[31m'")) == "Could not load '\\x1b[31m'"

@@ -49,7 +49,8 @@ def test_a_page_in_markdown_leads_to_its_picture() -> None:
 
 NAMES = [
     "a|b", "`a`", "**a**", "_a_", "a_b", "~~a~~", "[a](http://b)", "![a](b)", "<script>alert(1)</script>", "<b>",
-    "a<b", "&lt;", "a & b", "a\\", "\\|", "\\`|", "$x$", "# a", "- a", "1. a", "=1+1", "a--b", "[b]x", "*x", "%", "{",
+    "a<b", "&lt;", "a & b", "a\\", "\\|", "\\`|", "$x$", "# a", "- a", "1. a", "=1+1", "a--b", "[b]x", "*x", "%",
+    "{",
 ]  # fmt: skip
 """Names of maps and configurations as people have them."""
 

@@ -37,6 +37,7 @@ FILES = {
     "report.json",
     "curves.svg",
     "curves.png",
+    ".made-by.json",
 }
 
 
@@ -144,6 +145,31 @@ def test_written_again_from_the_store_it_has_the_same_bytes_and_nothing_else(hom
     ended = run_acoexp(CELLS, "report.maps=[fig13,env2]", *SMALL, cwd=home)
     assert ended.stderr.count("3 of 3 trials found in the store") == 4
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
+
+
+def test_on_another_map_it_keeps_the_one_that_was_there(tmp_path: Path) -> None:
+    yard = tmp_path / "yard.txt"
+    command = (*SMALL, CELLS, "map=file", "map.path=yard.txt", "tracking=none")
+    for art in ("S..\n.#.\n..G\n", "S..\n.#.\n..G\n", "S...\n.##.\n...G\n"):
+        yard.write_text(art, encoding="utf-8")
+        ended = run_acoexp(*command, cwd=tmp_path)
+        assert ended.returncode == 0, ended.stderr
+    reports = tmp_path / "outputs/reports"
+    (kept,) = (path for path in reports.iterdir() if path.name != "compare")
+    assert re.fullmatch(r"compare-\d{4}(-\d\d){5}", kept.name)
+    assert f"is of other settings, and is kept: outputs/reports/{kept.name}\n" in ended.stderr
+    assert all((reports / name / "index.html").is_file() for name in ("compare", kept.name))
+
+
+def test_names_are_on_the_screen_and_in_the_picture_as_they_are(tmp_path: Path) -> None:
+    (tmp_path / "$^$ [b].txt").write_text("S..\n.#.\n..G\n", encoding="utf-8")
+    yard = ("map=file", 'map.path="$^$ [b].txt"', "tracking=none")
+    ended = run_acoexp(*SMALL, 'report.cells=["[b]x: aco","_y: pd"]', *yard, cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert re.search(r"^\$\^\$ \[b\]\.txt \[b\]x +\d/3 ", ended.stdout, re.M)
+    svg = (tmp_path / "outputs/reports/compare/curves.svg").read_text("utf-8")
+    for text in ("$^$ [b].txt, optimum 3.4142", "[b]x", "_y", "exact optimum"):
+        assert svg.count(f"<!-- {text} -->") == 1, text
 
 
 def test_jobs_of_a_sweep_write_a_report_each(tmp_path: Path) -> None:

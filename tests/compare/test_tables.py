@@ -44,6 +44,7 @@ def test_features_stand_with_their_deviation_and_a_dash_where_no_trial_has_one(t
     quick = row(tables["Features"])
     assert (quick["map"], quick["cell"], quick["optimum"]) == ("yard", "quick", "7.0000")
     assert (quick["x1"], quick["x2"]) == ("4.0 ± 0.0", "-")
+    assert quick["l1"] == "7.0000 ± 0.00"
     assert (quick["l2"], quick["lost ants"]) == ("7.0000 ± 0.00", "9.5 ± 5.9")
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from io import BytesIO, TextIOWrapper
+
 import pytest
 
 from acoexp.console.ending import ends_cleanly, print_error
@@ -66,3 +68,11 @@ def test_a_command_may_have_its_own_words_and_let_through_what_it_likes(capsys: 
 def test_an_error_may_be_printed_without_an_end(capsys: Capture) -> None:
     print_error("the store\nis gone")
     assert capsys.readouterr().err == "acoexp: error: the store is gone\n"
+
+
+def test_a_name_that_the_terminal_cannot_show_ends_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    screen = TextIOWrapper(BytesIO(), encoding="ascii")
+    monkeypatch.setattr("sys.stdout", screen)
+    with ends_cleanly("nothing is lost"):
+        print("Übung", flush=True)
+    assert screen.buffer.getvalue() == b"\\xdcbung\n"  # type: ignore[attr-defined]

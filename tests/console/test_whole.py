@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import socket
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -57,30 +61,102 @@ def test_an_error_while_a_folder_is_written_leaves_the_old_one(
     assert listing(tmp_path) == {"mine", "mine/page"}
 
 
+@pytest.fixture(params=["at once", "one after the other"])
+def swapped(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Let folders swap their names as Linux can, and as others have to."""
+    if request.param != "at once":
+        monkeypatch.setattr("acoexp.console.whole.exchange", lambda one, other: False)
+    return str(request.param)
+
+
+def written(folder: Path, page: str, keep: Path | None = None) -> None:
+    """Write a folder with a page."""
+    with whole_folder(folder, keep) as draft:
+        (draft / "page").write_text(page, encoding="utf-8")
+
+
+def test_what_was_there_may_be_kept(swapped: str, tmp_path: Path) -> None:
+    written(tmp_path / "mine", "old", tmp_path / "not needed")
+    written(tmp_path / "mine", "new", tmp_path / "kept")
+    assert listing(tmp_path) == {"mine", "mine/page", "kept", "kept/page"}
+    assert [(tmp_path / name / "page").read_text("utf-8") for name in ("mine", "kept")] == ["new", "old"]
+
+
+@pytest.mark.parametrize("keep", [None, "kept"])
 def test_a_folder_that_cannot_take_its_place_leaves_the_old_one(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    swapped: str, keep: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with whole_folder(tmp_path / "mine") as draft:
-        (draft / "page").write_text("old", encoding="utf-8")
+    written(tmp_path / "mine", "old")
 
-    def replace(self: Path, target: Path) -> Path:
-        if self.name.endswith("-draft"):
+    def fail(one: Path, other: Path) -> Path:
+        if "draft" in one.name or one.name == "kept":
             raise OSError("disk full")
-        return self.rename(target)
+        return one.rename(other)
 
-    monkeypatch.setattr(Path, "replace", replace)
-    with pytest.raises(OSError, match="disk full"), whole_folder(tmp_path / "mine") as draft:
-        (draft / "page").write_text("new", encoding="utf-8")
+    if swapped == "at once":
+        monkeypatch.setattr("acoexp.console.whole.exchange", fail)
+    else:
+        monkeypatch.setattr(Path, "replace", fail)
+    with pytest.raises(OSError, match="disk full"):
+        written(tmp_path / "mine", "new", None if keep is None else tmp_path / keep)
     assert (tmp_path / "mine" / "page").read_text("utf-8") == "old"
     assert listing(tmp_path) == {"mine", "mine/page"}
 
 
-def test_a_draft_that_a_killed_process_left_is_written_anew(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("os.getpid", lambda: 7)  # as a process that had this number was killed
-    (tmp_path / ".mine-7-draft").mkdir()
-    (tmp_path / ".mine-7-draft" / "left").touch()
-    with whole_folder(tmp_path / "mine") as draft:
-        (draft / "page").touch()
+@pytest.mark.skipif(sys.platform != "linux", reason="others cannot swap names at once")
+def test_at_no_moment_there_is_none(tmp_path: Path) -> None:
+    """Another process looks all the time."""
+    written(tmp_path / "mine", "0")
+    looks = "import os, sys\nwhile os.path.exists('mine/page'): os.path.exists('end') and sys.exit(7)"
+    with subprocess.Popen([sys.executable, "-c", looks], cwd=tmp_path) as looking:
+        for number in range(300):
+            written(tmp_path / "mine", str(number))
+        (tmp_path / "end").touch()
+    assert looking.returncode == 7
+
+
+def test_a_link_is_replaced_and_what_it_leads_to_stays(swapped: str, tmp_path: Path) -> None:
+    written(tmp_path / "elsewhere", "theirs")
+    (tmp_path / "mine").symlink_to("elsewhere")
+    written(tmp_path / "mine", "new")
+    assert listing(tmp_path) == {"elsewhere", "elsewhere/page", "mine", "mine/page"}
+
+
+GONE, LIVING = 4_000_000, os.getppid()
+"""Numbers of processes: the first is higher than Linux gives any."""
+
+
+@pytest.mark.parametrize("host", ["", f"{socket.gethostname()}-"])
+def test_what_a_killed_process_left_is_removed_when_the_same_is_written_again(host: str, tmp_path: Path) -> None:
+    for number in (GONE, os.getpid(), LIVING):
+        written(tmp_path / f".mine-{host}{number}-draft", "half")
+        written(tmp_path / f".mine-{host}{number}-old", "old")
+    written(tmp_path / ".yours-1-draft", "of another name")
+    written(tmp_path / ".mine-another_machine-4000000-draft", "of another machine")
+    written(tmp_path / "mine", "new")
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "mine", f".mine-{host}{LIVING}-draft", f".mine-{host}{LIVING}-old", ".yours-1-draft",
+        ".mine-another_machine-4000000-draft",
+    }  # fmt: skip
+
+
+def test_what_a_process_had_set_aside_when_it_was_killed_is_brought_back(tmp_path: Path) -> None:
+    written(tmp_path / f".mine-{GONE}-old", "old")
+    with pytest.raises(OSError, match="disk full"), whole_folder(tmp_path / "mine"):
+        raise OSError("disk full")
+    assert (tmp_path / "mine" / "page").read_text("utf-8") == "old"
     assert listing(tmp_path) == {"mine", "mine/page"}
+
+
+def test_a_process_that_has_ended_and_is_still_listed_is_gone(tmp_path: Path) -> None:
+    with subprocess.Popen([sys.executable, "-c", ""]) as ended:
+        os.waitid(os.P_PID, ended.pid, os.WEXITED | os.WNOWAIT)
+        written(tmp_path / f".mine-{ended.pid}-draft", "half")
+        written(tmp_path / "mine", "new")
+    assert listing(tmp_path) == {"mine", "mine/page"}
+
+
+def test_the_draft_of_a_file_that_a_killed_process_left_is_removed_too(tmp_path: Path) -> None:
+    (tmp_path / f".record-{GONE}-draft").touch()
+    write_whole(tmp_path / "record", "new")
+    assert listing(tmp_path) == {"record"}

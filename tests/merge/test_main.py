@@ -58,6 +58,19 @@ def test_a_batch_whose_artifacts_are_gone_is_told_of(
     assert "expected its artifacts in " in said
 
 
+def test_the_runs_of_further_stores_are_brought_all_the_same(
+    elsewhere: Path, prepared: Prepared, tmp_path: Path, capsys: Capture
+) -> None:
+    shutil.copy(elsewhere, tmp_path / "alone.db")
+    prepared(tmp_path / "mlflow.db")
+    with pytest.raises(SystemExit, match="1"):
+        main([str(tmp_path / "alone.db"), str(elsewhere), "--into", str(tmp_path / "mlflow.db")])
+    out, err = capsys.readouterr()
+    assert [line.partition(" from ")[0] for line in out.splitlines()] == ["3 runs brought", "1 runs brought"]
+    assert out.splitlines()[0].endswith("; 0 were there already, 1 are not finished, 1 are refused")
+    assert err.count("\n") == 1
+
+
 @pytest.mark.parametrize("source", ["nowhere.db", "sqlite:///nowhere.db", "sqlite://"])
 def test_a_store_that_is_not_there_is_refused_and_not_made(
     source: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 import pytest
+from running import listing
 
 from acoexp import Grid
 from acoexp.registry.resolve import resolve
@@ -23,8 +26,7 @@ def context(algo: str = "pdg", values: dict[str, Any] | None = None, **given: An
         preset=resolve(algo, {}),
         settings=resolve(algo, values or {}),
         grid=YARD,
-        folder=Path("report"),
-        **{"trials_of": lambda settings, grid, seeds, show: None, **given},
+        **{"folder": Path("report"), "trials_of": lambda settings, grid, seeds, show: None, **given},
     )
 
 
@@ -78,3 +80,64 @@ def test_trials_are_run_by_whoever_keeps_them_and_shown_by_name_while_they_run(n
     assert made.run(settings, YARD, SEEDS, named) == "the trials"
     assert asked == [(settings, YARD, SEEDS)]
     assert shown == [(shown_as, 7)]
+
+
+def write(folder: Path, page: str, made_by: dict[str, Any] | None) -> None:
+    """Write a report that is a page."""
+    with context(folder=folder, made_by=made_by).draft() as draft:
+        (draft / "page").write_text(page, encoding="utf-8")
+
+
+def pages(folder: Path) -> dict[str, str]:
+    """Return the page of each report in a folder, the first second of 2024 for its date."""
+    return {path.parent.name: path.read_text("utf-8") for path in sorted(folder.glob("*/page"))}
+
+
+def made_in_2024(report: Path) -> None:
+    """Let a report be an old one."""
+    date = datetime(2024, 5, 1, 12, 30, 15).timestamp()
+    for path in (report / ".made-by.json", report):
+        if path.exists():
+            os.utime(path, (date, date))
+
+
+def test_a_report_of_the_same_settings_is_replaced(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    for page in ("first", "second"):
+        write(tmp_path / "mine", page, {"map": "yard", "settings": {"rho": 0.5}})
+    assert pages(tmp_path) == {"mine": "second"}
+    assert caplog.messages == []
+
+
+@pytest.mark.parametrize("before", [{"map": "garden"}, None])
+def test_a_report_of_other_settings_or_of_unknown_ones_is_kept_under_its_date(
+    before: dict[str, Any] | None, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level("INFO")
+    write(tmp_path / "mine", "old", before)
+    made_in_2024(tmp_path / "mine")
+    write(tmp_path / "mine", "new", {"map": "yard"})
+    kept = "mine-2024-05-01-12-30-15"
+    assert pages(tmp_path) == {"mine": "new", kept: "old"}
+    said = f"the report that was in {tmp_path / 'mine'} is of other settings, and is kept: {tmp_path / kept}"
+    assert caplog.messages == [said]
+
+
+def test_of_many_reports_of_one_second_all_are_kept(tmp_path: Path) -> None:
+    for rho in range(4):
+        write(tmp_path / "mine", str(rho), {"rho": rho})
+        made_in_2024(tmp_path / "mine")
+    kept = "mine-2024-05-01-12-30-15"
+    assert pages(tmp_path) == {"mine": "3", kept: "0", f"{kept}-2": "1", f"{kept}-3": "2"}
+
+
+def test_a_report_that_fails_moves_nothing(tmp_path: Path) -> None:
+    write(tmp_path / "mine", "old", {"map": "garden"})
+    with pytest.raises(OSError, match="disk full"), context(folder=tmp_path / "mine", made_by={}).draft():
+        raise OSError("disk full")
+    assert pages(tmp_path) == {"mine": "old"}
+
+
+def test_where_nobody_asks_by_what_a_report_was_made_it_is_replaced(tmp_path: Path) -> None:
+    for page in ("first", "second"):
+        write(tmp_path / "mine", page, None)
+    assert listing(tmp_path) == {"mine", "mine/page"}

@@ -9,7 +9,7 @@ from pathlib import Path
 from secrets import token_hex
 from typing import Any, NamedTuple
 
-from hydra.core.override_parser.types import Override, ValueType
+from hydra.core.override_parser.types import ChoiceSweep, Override
 
 from acoexp.colony.scalars import ColonySettings
 from acoexp.command.options.flags import flags_parser, split_arguments, without_config_dir
@@ -139,7 +139,7 @@ def _check_sizes(parsed: list[Override], overrides: list[str]) -> None:
 def _number_of_values(override: Override) -> int:
     sweep: Any = override.value()
     if not override.is_range_sweep():
-        return len(sweep.list) if override.value_type == ValueType.CHOICE_SWEEP else 1
+        return len(sweep.list) if isinstance(sweep, ChoiceSweep) else 1
     try:
         return int((sweep.stop - sweep.start) / sweep.step)
     except (ArithmeticError, ValueError):  # by steps of nothing, or without an end

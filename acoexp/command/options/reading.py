@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from hydra.core.override_parser.overrides_parser import OverridesParser
-from hydra.core.override_parser.types import Override, QuotedString, ValueType
+from hydra.core.override_parser.types import ChoiceSweep, Override, QuotedString
 from hydra.errors import OverrideParseException
 from omegaconf import OmegaConf
 from omegaconf.errors import GrammarParseError
@@ -158,7 +158,8 @@ def _values(parsed: Override) -> list[Any]:
     if not parsed.is_sweep_override():
         return [parsed.value()]
     # what a pattern such as glob(*) stands for, only Hydra knows, later
-    several: Any = parsed.sweep_iterator() if parsed.value_type == ValueType.CHOICE_SWEEP else []
+    sweep: Any = parsed.value()
+    several = sweep.list if isinstance(sweep, ChoiceSweep) else []
     return [one.text if isinstance(one, QuotedString) else one for one in several]
 
 

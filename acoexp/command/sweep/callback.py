@@ -5,13 +5,14 @@ from __future__ import annotations
 import atexit
 import traceback
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from hydra.core.global_hydra import GlobalHydra
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.errors import HydraException
 from hydra.experimental.callback import Callback
-from omegaconf import DictConfig
+from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command.handover import Handover
@@ -20,7 +21,9 @@ from acoexp.command.messages import in_one_line
 from acoexp.command.results.watch import Watch, Watched
 from acoexp.command.sweep.plan import Plan, as_written, fix_folder
 from acoexp.console.ending import FAILED, print_error
+from acoexp.console.whole import write_whole
 from acoexp.errors import AcoexpError, SettingsError
+from acoexp.tracking.mlflow.masking import masked
 
 OWN_SWEEPER = "hydra_plugins.acoexp.sweeper.AcoexpSweeper"
 """It checks and watches its jobs itself."""
@@ -37,6 +40,14 @@ class Session(Callback):
         """Check what is known of the jobs that another sweeper will choose, and begin to watch over them."""
         if config.hydra.sweeper._target_ != OWN_SWEEPER:
             _or_exit(lambda: _begin_foreign_sweep(config))
+
+    def on_job_start(self, config: DictConfig, **_: Any) -> None:
+        """Mask the passwords of addresses in what Hydra has just written of a job's configuration."""
+        if config.hydra.output_subdir is not None:
+            folder = Path(config.hydra.runtime.output_dir, config.hydra.output_subdir)
+            address = str(OmegaConf.select(config, "tracking.uri", default=""))
+            for file in folder.glob("*.yaml"):
+                write_whole(file, masked(file.read_text(encoding="utf-8"), address))
 
 
 def _or_exit(action: Callable[[], None]) -> None:

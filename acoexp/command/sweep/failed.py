@@ -12,6 +12,7 @@ from omegaconf.errors import OmegaConfBaseException
 from acoexp.command.messages import in_one_line
 from acoexp.console.ending import print_error
 from acoexp.errors import AcoexpError
+from acoexp.tracking.mlflow.masking import masked
 
 
 class JobsFailedError(AcoexpError):
@@ -27,7 +28,7 @@ def raise_if_failed(jobs: Sequence[JobReturn]) -> None:
     """
     failed = [job for job in jobs if job.status != JobStatus.COMPLETED]
     for job in failed:
-        print_error(f"{' '.join(job.overrides or ())}: {_reason(job)}")
+        print_error(f"{masked(' '.join(job.overrides or ()))}: {_reason(job)}")
     if failed:
         raise JobsFailedError(f"{len(failed)} of {len(jobs)} jobs failed; the others are kept")
 

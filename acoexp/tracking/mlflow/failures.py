@@ -24,21 +24,23 @@ _KNOWN = (
 )
 
 
+def lasts(problem: Exception) -> bool:
+    """Tell whether a store takes nothing any more, until a person does something about it: the disk is full."""
+    known = _known(problem)
+    return known is not None and known.lasts
+
+
 def may_pass(problem: Exception) -> bool:
     """Tell whether a failure is of the kind that ends by itself: no connection, a locked database, a restart."""
     from mlflow.exceptions import MlflowException
     from requests.exceptions import RequestException
     from sqlalchemy.exc import InterfaceError, OperationalError
 
-    known = _known(problem)
-    if known is not None and known.lasts:
-        return False
     if isinstance(problem, MlflowException):
         passing = ("TEMPORARILY_UNAVAILABLE", "INTERNAL_ERROR", "REQUEST_LIMIT_EXCEEDED", "BAD_REQUEST")
-        return problem.error_code in passing
-    return isinstance(
-        problem, RequestException | OperationalError | InterfaceError | ConnectionError | TimeoutError
-    )
+        return problem.error_code in passing and not lasts(problem)
+    passing_kinds = RequestException | OperationalError | InterfaceError | ConnectionError | TimeoutError
+    return isinstance(problem, passing_kinds) and not lasts(problem)
 
 
 def reason_of(problem: Exception, address: str) -> str:
@@ -53,7 +55,7 @@ def _known(problem: Exception) -> _Known | None:
 
 
 def _said(problem: Exception) -> str:
-    """Return the line that says what went wrong: SQLAlchemy puts when before it, and what was to be written below."""
+    """Return the line that says what went wrong; SQLAlchemy puts others around it."""
     lines = (line.strip() for line in str(problem).splitlines())
     said = (line for line in lines if line and not line.startswith("(raised as a result of"))
     return next(said, type(problem).__name__)

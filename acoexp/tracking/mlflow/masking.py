@@ -14,7 +14,8 @@ from urllib.parse import unquote
 MASK = "***"
 
 _KEY = r"[\w-]*(?:password|passwd|pwd|token|secret|credential|signature|api[_-]?key|access[_-]?key|auth)[\w-]*"
-_QUERY = re.compile(rf"(?P<key>(?:^|[?&;\s]){_KEY}=)(?P<value>[^&\s]*)", re.IGNORECASE)
+_END = r"[;,.'\")\]}]*(?:[&\s]|$)"
+_QUERY = re.compile(rf"(?P<key>(?:^|[?&;\s]){_KEY}=)(?P<value>[^&\s]*?)(?={_END})", re.IGNORECASE)
 """``?password=...``, and the same among words, as drivers of databases have it."""
 _CREDENTIALS = re.compile(r"(?<=://)(?P<value>[^/\s]\S*)(?=@)")
 """All between ``//`` and the last ``@``; an address of a file has nothing there but its path."""

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, TypeVar
 from filelock import FileLock
 
 from acoexp.errors import StoreGoneError, TrackingError
-from acoexp.tracking.mlflow.failures import may_pass, reason_of
+from acoexp.tracking.mlflow.failures import lasts, may_pass, reason_of
 from acoexp.tracking.mlflow.making import check_openable, check_writable, make_whole
 from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.moving import ARTIFACTS, bring_artifacts_along
@@ -91,7 +91,7 @@ class Store:
 
         Raises:
             TrackingError: if it fails for good.
-            StoreGoneError: if the store stays away.
+            StoreGoneError: if the store stays away, or takes nothing any more.
         """
         began, pause, warned = time.monotonic(), 0.1, False
         with self._reporting(what):
@@ -99,20 +99,23 @@ class Store:
                 try:
                     return action()
                 except Exception as problem:
-                    waited = time.monotonic() - began
-                    if not may_pass(problem) or self._is_gone:
-                        raise
-                    if waited + pause > PATIENCE:
-                        self._is_gone = True
-                        raise StoreGoneError(
-                            f"tracking.uri: {self.shown} {what} for {PATIENCE:.0f} s: "
-                            f"{reason_of(problem, self.uri)}"
-                        ) from problem
-                    if not warned:
-                        warned = True
-                        log.warning("%s %s; trying again for %.0f s", self.shown, what, PATIENCE)
-                    time.sleep(pause)
-                    pause = min(2.0 * pause, 5.0)
+                    self._give_up_or_wait(problem, what, time.monotonic() - began + pause)
+                if not warned:
+                    warned = True
+                    log.warning("%s %s; trying again for %.0f s", self.shown, what, PATIENCE)
+                time.sleep(pause)
+                pause = min(2.0 * pause, 5.0)
+
+    def _give_up_or_wait(self, problem: Exception, what: str, waited: float) -> None:
+        """Raise what is to be told, unless the problem may pass and there is patience left."""
+        if may_pass(problem) and not self._is_gone:
+            if waited <= PATIENCE:
+                return
+            what = f"{what} for {PATIENCE:.0f} s"
+        elif not lasts(problem):
+            raise problem
+        self._is_gone = True
+        raise StoreGoneError(f"tracking.uri: {self.shown} {what}: {reason_of(problem, self.uri)}") from problem
 
     def search(self, condition: str, at_most: int | None = None) -> list[Run]:
         """Return the runs of the experiment that meet a condition in MLflow's language, the oldest first.

@@ -204,3 +204,32 @@ def test_seeds_that_are_none_are_refused(written: str) -> None:
 def test_a_seed_and_seeds_together_are_refused() -> None:
     with pytest.raises(SettingsError, match=r"expected seed .* or seeds .*; got seed=3 and seeds='0-9'"):
         normalise(["seed=3", "seeds=0-9"])
+
+
+NUMBERS = ",".join(str(number / 1000) for number in range(1, 1001))
+
+
+@pytest.mark.parametrize(
+    ("sweep", "said"),
+    [
+        (["seed=0-100000"], "seed: expected at most 100000 values, each a job; got '0-100000'"),
+        (
+            ["seed=0-60000,70000-130000"],
+            "seed: expected at most 100000 values, each a job; got '0-60000,70000-130000'",
+        ),
+        (["seed=range(0,100001)"], "seed=range(0,100001): expected at most 100000 values, each a job"),
+        (["rho=range(0,1,step=0)"], "rho=range(0,1,step=0): expected at most 100000 values, each a job"),
+        (["seed=0-1000", "ants=1-1000"], "expected a sweep of at most 1000000 jobs; got 1001000; "),
+        (["seed=0-1000", f"rho=choice({NUMBERS})"], "expected a sweep of at most 1000000 jobs; got 1001000; "),
+        (["seed=0-1000", f"rho={NUMBERS}"], "expected a sweep of at most 1000000 jobs; got 1001000; "),
+    ],
+)
+def test_a_sweep_that_would_never_end_is_refused(sweep: list[str], said: str) -> None:
+    with pytest.raises(SettingsError) as caught:
+        normalise([*sweep, "-m"])
+    assert str(caught.value).startswith(said)
+
+
+def test_an_optimiser_chooses_from_as_much_as_it_likes() -> None:
+    sweep = ["hydra/sweeper=optuna", "seed=range(0,1000000)", "rho=interval(0,1)"]
+    assert overrides(*sweep, "-m") == sweep

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from copy import deepcopy
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from hydra._internal.core_plugins.file_config_source import FileConfigSource
+from hydra._internal.core_plugins.importlib_resources_config_source import ImportlibResourcesConfigSource
 from hydra.core.object_type import ObjectType
 from hydra.errors import HydraException
 from hydra.plugins.config_source import ConfigLoadError
 
 from acoexp.command.options import sources
-from acoexp.command.options.sources import Remembered, UserOptions
+from acoexp.command.options.sources import Remembered, UserOptions, remember_options
 from acoexp.errors import SettingsError
 
 HARMLESS = "rho: 0.25\ndiffusion:\n  gamma: 0.5\n"
@@ -155,3 +158,17 @@ def test_what_was_refused_is_refused_again(tmp_path: Path) -> None:
     for _ in range(2):
         with pytest.raises(HydraException, match="expected YAML"):
             remembered.load_config("study/torn")
+
+
+def test_a_loader_remembers_what_it_reads_from_folders_and_nothing_else(tmp_path: Path) -> None:
+    sources: list[Any] = [
+        FileConfigSource("main", f"file://{tmp_path}"),
+        ImportlibResourcesConfigSource("hydra", "pkg://hydra.conf"),
+        options(tmp_path),
+    ]
+    loader: Any = SimpleNamespace(get_sources=lambda: sources)
+    remember_options(loader)
+    assert [type(source) for source in sources] == [
+        Remembered, ImportlibResourcesConfigSource, Remembered,
+    ]  # fmt: skip
+    assert [source.provider for source in sources] == ["main", "hydra", "test"]

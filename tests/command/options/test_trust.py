@@ -139,3 +139,4 @@ def test_where_results_go_is_for_the_command_line_to_say(content: str, path: str
 
 def test_whether_results_are_tracked_an_option_may_say() -> None:
     check("defaults:\n  - override /tracking: none\n", package="_global_")
+    check("name: none\n", package="tracking")

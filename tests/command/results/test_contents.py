@@ -78,8 +78,8 @@ def test_a_batch_counts_what_failed(batch: Batch) -> None:
 
 def test_a_trial_that_was_found_has_the_row_of_one_that_was_run(trials: list[Trial]) -> None:
     for trial in trials:
-        found = Found(1, metrics(trial_metrics(trial.result)), trial.params)
-        run, known = row(trial_record(trial, 0.002)), row(found_record(SETUP, found))
+        found = Found("trial", 1, metrics(trial_metrics(trial.result)))
+        run, known = row(trial_record(trial, 0.002)), row(found_record(SETUP, trial.result.seed, found))
         assert (run.milliseconds, math.isnan(known.milliseconds)) == (2.0, True)
         np.testing.assert_equal(known._replace(milliseconds=2.0)._asdict(), run._asdict())
 
@@ -87,7 +87,7 @@ def test_a_trial_that_was_found_has_the_row_of_one_that_was_run(trials: list[Tri
 def test_a_batch_that_was_found_has_the_row_of_one_that_was_run(batch: Batch) -> None:
     summary = aggregate(batch.table, YARD.optimum, 4)
     points = metrics(batch_metrics(summary, batch.curve, 0, YARD.optimum))
-    found = found_record(SETUP, Found(10, points, {**SETUP.params, "seeds": "0-9"}))
+    found = found_record(SETUP, SEEDS, Found("batch", 10, points))
     run = row(batch_record(SETUP, SEEDS, batch))
     np.testing.assert_equal(row(found)._replace(milliseconds=100.0)._asdict(), run._asdict())
     assert run.milliseconds == pytest.approx(100.0)

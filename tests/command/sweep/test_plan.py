@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
@@ -108,8 +108,9 @@ class Store(NoTracker):
     def prepare(self) -> None:
         self.prepared += 1
 
-    def find(self, configuration_id: str) -> dict[str, Found]:
-        return self.runs.get(configuration_id, {})
+    def find(self, configuration_id: str, identities: Collection[str]) -> dict[str, Found]:
+        runs = self.runs.get(configuration_id, {})
+        return {identity: run for identity, run in runs.items() if identity in identities}
 
 
 @pytest.fixture
@@ -171,12 +172,12 @@ def test_what_the_store_has_is_left_out_and_its_record_is_there(
     monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: store)
     plan = planned("algo=aco,pd", "seed=0,1", *QUICK)
     setup = next(iter(plan.jobs.values())).setup
-    store.runs[setup.configuration_id] = {setup.identity(1): Found(1, {"l1": 35.0}, {**setup.params, "seed": "1"})}
+    store.runs[setup.configuration_id] = {setup.identity(seed): Found("trial", 1, {"l1": 35.0}) for seed in (1, 7)}
     left = plan.leave_out_known()
     assert [[text for text in told if text not in QUICK] for told in left.missing] == [
         ["algo=aco", "seed=0"], ["algo=pd", "seed=0"], ["algo=pd", "seed=1"],
     ]  # fmt: skip
-    assert [(record["seed"], record["l1"]) for record in left.known] == [("1", 35.0)]
+    assert [(record["seed"], record["l1"]) for record in left.known] == [(1, 35.0)]
     assert (left.found, left.trials, left.repeated) == (1, 4, 0)
 
 
@@ -187,7 +188,7 @@ def test_without_resuming_nothing_is_left_out(
     monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: store)
     plan = planned("seed=0,1", "resume=false", *QUICK)
     setup = next(iter(plan.jobs.values())).setup
-    store.runs[setup.configuration_id] = {setup.identity(1): Found(1, {}, setup.params)}
+    store.runs[setup.configuration_id] = {setup.identity(1): Found("trial", 1, {})}
     assert (len(plan.leave_out_known().missing), plan.leave_out_known().found) == (2, 0)
 
 
@@ -199,7 +200,7 @@ def test_a_batch_is_as_many_trials_as_it_has_seeds(
     plan = planned("algo=aco,pd", "seeds='0-9'", *QUICK)
     job = next(iter(plan.jobs.values()))
     metrics = {"never_arrived": 0.0, "success_rate": 0.5}
-    found = Found(10, metrics, {**job.setup.params, "seeds": "0-9"})
+    found = Found("batch", 10, metrics)
     store.runs[job.setup.configuration_id] = {job.setup.identity(job.seeds): found}
     left = plan.leave_out_known()
     assert (len(left.missing), left.found, left.trials) == (1, 10, 20)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from hydra_plugins.acoexp import sweeper
 from running import QUICK, refusal
 
 
@@ -19,7 +20,8 @@ from running import QUICK, refusal
 )
 def test_a_missing_extra_is_named(argument: str, name: str, tmp_path: Path) -> None:
     (tmp_path / "hydra_plugins").mkdir()
-    (tmp_path / "hydra_plugins" / "__init__.py").touch()  # hides those that are installed
+    (tmp_path / "hydra_plugins" / "__init__.py").touch()  # hides those that are installed, but for our own
+    (tmp_path / "hydra_plugins" / "acoexp").symlink_to(Path(sweeper.__file__).parent)
     message = refusal(
         "-m",
         "seed=0,1",

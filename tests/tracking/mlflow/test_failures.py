@@ -19,10 +19,10 @@ def raised_by_sqlite(said: str, written: str = "x") -> OperationalError:
     return OperationalError("INSERT INTO tags VALUES (?)", (written,), sqlite3.OperationalError(said))
 
 
-def flushed(problem: OperationalError) -> OperationalError:
-    """Return an error as it comes where SQLAlchemy wrote in passing."""
-    problem.add_detail("(raised as a result of Query-invoked autoflush; consider using no_autoflush)")
-    return problem
+def flushed(said: str) -> MlflowException:
+    """Return what MLflow raises where SQLAlchemy wrote in passing, before it read."""
+    when = "(raised as a result of Query-invoked autoflush; consider using a session.no_autoflush block)"
+    return MlflowException(f"{when}\n{raised_by_sqlite(said)}", TEMPORARILY_UNAVAILABLE)
 
 
 LASTING = ["database or disk is full", "attempt to write a readonly database", "database disk image is malformed"]
@@ -53,7 +53,7 @@ def test_what_ends_by_itself_may_pass(problem: Exception) -> None:
         MlflowException("odd", RESOURCE_DOES_NOT_EXIST),
         MlflowException("could not extend file: No space left on device", INTERNAL_ERROR),
         *map(raised_by_sqlite, LASTING),
-        *(flushed(raised_by_sqlite(said)) for said in LASTING),
+        *map(flushed, LASTING),
         *(MlflowException(str(raised_by_sqlite(said)), TEMPORARILY_UNAVAILABLE) for said in LASTING),
     ],
 )
@@ -67,7 +67,7 @@ def test_what_stays_as_it_is_does_not_pass(problem: Exception) -> None:
         (ValueError("odd\nand more"), "odd"),
         (TimeoutError(), "TimeoutError"),
         (raised_by_sqlite("database or disk is full"), "disk is full; make room there"),
-        (flushed(raised_by_sqlite("database or disk is full")), "disk is full; make room there"),
+        (flushed("database or disk is full"), "disk is full; make room there"),
         (OSError(28, "No space left on device", "x"), "No space left on device: 'x'; make room there"),
         (
             raised_by_sqlite("attempt to write a readonly database"),

@@ -72,6 +72,12 @@ def test_a_user_or_a_server_of_the_address_is_no_secret_where_it_stands_alone() 
     assert masked('role "acoexp" of server does not exist', address) == 'role "acoexp" of server does not exist'
 
 
+def test_what_stands_around_an_address_stays() -> None:
+    said = "got 'http://me:one@server/?token=two'; type \"http://me:one@server/?token=two\", (token=two)."
+    shown = "got 'http://***@server/?token=***'; type \"http://***@server/?token=***\", (token=two)."
+    assert masked(said) == shown
+
+
 def test_several_addresses_in_one_text_are_masked() -> None:
     text = "tracking:\n  uri: http://me:one@server/x\nmap:\n  path: http://me:two@server/y?token=three\n"
     assert masked(text) == "tracking:\n  uri: http://***@server/x\nmap:\n  path: http://***@server/y?token=***\n"

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from acoexp.compare.render import as_json, as_latex, markdown_table, markdown_text
-from acoexp.console.whole import whole_folder
 from acoexp.errors import MapError, SettingsError
 from acoexp.grid.grid import Grid
 from acoexp.maps.file import MapFile
@@ -72,7 +71,7 @@ class Paper(Report):
         experiment = Experiment(context, maps, frozenset(given), self.trials, self.ensemble_trials)
         with shown_progress(experiment.size + trials_of_readings(experiment)) as show:
             found = Findings.of(replace(experiment, context=replace(context, show=show)), CLAIMS)
-        with whole_folder(context.folder) as folder:
+        with context.draft() as folder:
             _write_files(found, folder)
         return context.folder
 

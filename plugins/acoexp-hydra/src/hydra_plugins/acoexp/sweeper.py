@@ -52,13 +52,16 @@ class AcoexpSweeper(Sweeper):
             first_number,
             fix_folder,
         )
+        from acoexp.console.whole import write_whole
+        from acoexp.tracking.mlflow.masking import masked
 
         texts = [*(f"{key}={value}" for key, value in self.params.items()), *arguments]
         overrides = OverridesParser.create(config_loader=self.loader).parse_overrides(texts)
         plan = Plan(self.config, self.loader, overrides)
         folder = fix_folder(self.config)
         plan.prepare(folder)
-        OmegaConf.save(self.config, folder / "multirun.yaml")
+        address = str(OmegaConf.select(self.config, "tracking.uri", default=""))
+        write_whole(folder / "multirun.yaml", masked(OmegaConf.to_yaml(self.config), address))
         left = plan.leave_out_known()
         if left.repeated:
             print(f"acoexp: {left.repeated} jobs say what others say, and are run once", file=sys.stderr)
