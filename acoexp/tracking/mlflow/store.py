@@ -37,6 +37,7 @@ _SQLITE = re.compile(r"(sqlite(?:\+\w+)?:///)([^?]*)(.*)", re.DOTALL)
 _PAGE = 1000
 _MLFLOW_SETTINGS = {
     "MLFLOW_ENABLE_ARTIFACTS_PROGRESS_BAR": "false",
+    "MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT": "true",  # two lines for each trial, with the password of the address
     "MLFLOW_HTTP_REQUEST_MAX_RETRIES": "2",  # how long to wait for a server that is away is our decision
 }
 _QUIET = {"alembic": logging.WARNING, "mlflow": logging.WARNING, "mlflow.store.db.utils": logging.CRITICAL}

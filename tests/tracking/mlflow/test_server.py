@@ -103,6 +103,20 @@ def test_a_server_takes_the_runs_of_a_sweep_and_what_is_too_long(server: str, tm
     assert not list(tmp_path.rglob("*.db"))
 
 
+def test_a_password_in_the_address_of_a_server_is_printed_and_written_nowhere(
+    server: str, home: Path, tmp_path: Path
+) -> None:
+    uri = server.replace("://", "://me:p4ss-w0rd@")
+    quick = ("algo=aco", f"tracking.uri={uri}", "iterations=3", "ants=2")
+    for command in (("seed=0",), ("-m", "seed=0-1"), ("-m", "seeds=0-1"), ("iterations=-1",), ("nokey=1",)):
+        ended = run_acoexp(*quick, *command, cwd=tmp_path)
+        assert "p4ss-w0rd" not in ended.stdout + ended.stderr
+    assert [file for file in tmp_path.rglob("*") if file.is_file() and b"p4ss-w0rd" in file.read_bytes()] == []
+    assert [file for file in home.rglob("*.db*") if b"p4ss-w0rd" in file.read_bytes()] == []
+    assert len(list(tmp_path.rglob("multirun.yaml"))) == 2  # it was looked for where it would be
+    assert "uri: http://***@127.0.0.1" in next(tmp_path.rglob(".hydra/config.yaml")).read_text("utf-8")
+
+
 def test_a_server_that_is_not_there_is_told_soon_and_in_one_line(tmp_path: Path) -> None:
     uri = f"http://127.0.0.1:{free_port()}"
     message = refusal(f"tracking.uri={uri}", "iterations=3", cwd=tmp_path, timeout=30.0)
