@@ -12,6 +12,7 @@ import sqlite3
 import tempfile
 from collections.abc import Callable
 from contextlib import closing
+from glob import escape
 from pathlib import Path
 
 from acoexp.errors import TrackingError
@@ -31,7 +32,7 @@ def make_whole(file: Path, make: Callable[[Path], object]) -> None:
     if file.is_dir():
         raise IsADirectoryError(f"{file} is a folder")
     file = file.resolve()  # a link stays one
-    for left in file.parent.glob(f"{_drafts(file)}*"):
+    for left in file.parent.glob(f"{escape(_drafts(file))}*"):
         shutil.rmtree(left, ignore_errors=True)
     if _has_tables(file):
         return

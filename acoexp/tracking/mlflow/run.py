@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -35,6 +36,7 @@ REASON = "reason"
 """Tag: why the run has failed."""
 _METRICS = {"trial": ("optimum", "lost_ants"), "batch": ("trials", "never_arrived", "success_rate")}
 """Metrics that every finished run of a kind has."""
+_DIGEST = re.compile("[0-9a-f]{16,64}")
 
 
 class RunWriter:
@@ -142,8 +144,8 @@ class RunWriter:
 
 def is_whole(run: Run) -> bool:
     """Tell whether a run is finished and has what its kind has; a person may have edited it since."""
-    metrics = _METRICS.get(run.data.tags.get(KIND, ""))
-    if run.info.status != "FINISHED" or metrics is None:
+    tags, metrics = run.data.tags, _METRICS.get(run.data.tags.get(KIND, ""))
+    if run.info.status != "FINISHED" or metrics is None or not _DIGEST.fullmatch(tags.get(CONFIGURATION, "")):
         return False
     return all(math.isfinite(run.data.metrics.get(name, math.nan)) for name in metrics)
 

@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache, cached_property
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -34,6 +35,9 @@ PATIENCE = 90.0
 """Seconds for which a store may be away before a trial is given up."""
 
 _SQLITE = re.compile(r"(sqlite(?:\+\w+)?:///)([^?]*)(.*)", re.DOTALL)
+_LOCK_PATIENCE = 600.0
+"""Seconds for which a fresh store may be made by another process, and looked at by others after it, one by one."""
+
 _PAGE = 1000
 _MLFLOW_SETTINGS = {
     "MLFLOW_ENABLE_ARTIFACTS_PROGRESS_BAR": "false",
@@ -75,6 +79,7 @@ class Store:
         with self._reporting("cannot be opened"):
             if self.file is not None:
                 self.file.parent.mkdir(parents=True, exist_ok=True)
+                import_module("mlflow.store.tracking.sqlalchemy_store")  # seconds that nobody else need wait for
             with self._alone():
                 if self.file is not None:
                     make_whole(self.file, self._make)
@@ -173,7 +178,7 @@ class Store:
     def _alone(self) -> Iterator[None]:
         """Keep other processes out: several that migrate one fresh database at once all fail."""
         if self.file is not None:
-            with FileLock(f"{self.file}.lock", timeout=PATIENCE):
+            with FileLock(f"{self.file}.lock", timeout=_LOCK_PATIENCE):
                 yield
         elif self.uri.startswith("postgresql"):
             from sqlalchemy import create_engine, text

@@ -121,7 +121,7 @@ def test_trials_of_batches_are_found_without_loading_single_ones(large: MlflowTr
 def test_a_run_of_an_identity_of_many_is_alone_without_loading_others(
     large: MlflowTracker, loaded: list[int]
 ) -> None:
-    writer = RunWriter(large.store, "mine", {}, {"identity": "other 50000", "kind": "trial"})
+    writer = RunWriter(large.store, "mine", {}, {"identity": "other 50000", "kind": "trial", "cell": "0" * 16})
     writer.begin()
     writer.finish()
     assert sum(loaded) == 2

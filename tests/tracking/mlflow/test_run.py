@@ -18,13 +18,15 @@ from acoexp.tracking.mlflow.owner import this_process
 from acoexp.tracking.mlflow.run import RunWriter, is_whole, keep_one, mark_failed
 from acoexp.tracking.mlflow.store import Store
 
+CELL = "0123456789abcdef"
+"""The identity of a configuration."""
 TRIAL = [Metric("optimum", 7.0, 1, 0), Metric("lost_ants", 0.0, 1, 0)]
 """What every finished trial has."""
 
 
 def writer(store: Store, identity: str, replace: bool = False, **params: str) -> RunWriter:
     """Return a run that has begun."""
-    made = RunWriter(store, "mine", params, {"identity": identity, "kind": "trial"}, replace=replace)
+    made = RunWriter(store, "mine", params, {"identity": identity, "kind": "trial", "cell": CELL}, replace=replace)
     made.begin(TRIAL)
     return made
 
@@ -200,7 +202,7 @@ def test_runs_of_other_identities_and_of_others_that_are_at_work_stay(store: Sto
 
 def finished(run_id: str, began: int, replaces: str | None = None, **metrics: float) -> Any:
     """Return a finished run as the store has it."""
-    tags = {"kind": "batch"} if replaces is None else {"kind": "batch", "anew": replaces}
+    tags = {"kind": "batch", "cell": CELL, **({} if replaces is None else {"anew": replaces})}
     info = SimpleNamespace(run_id=run_id, start_time=began, status="FINISHED")
     return SimpleNamespace(info=info, data=SimpleNamespace(tags=tags, metrics=metrics))
 
@@ -252,9 +254,9 @@ def test_a_finished_run_that_a_person_edited_is_not_taken_for_ours() -> None:
     for name in BATCH:
         assert not is_whole(finished("a", 1, **{key: value for key, value in BATCH.items() if key != name}))
         assert not is_whole(finished("a", 1, **{**BATCH, name: math.nan}))
-    for kind in ({}, {"kind": ""}, {"kind": "mine"}):
+    for tag in ({"kind": ""}, {"kind": "mine"}, {"cell": ""}, {"cell": "mine"}):
         edited = finished("a", 1, **BATCH)
-        edited.data.tags = kind
+        edited.data.tags |= tag
         assert not is_whole(edited)
 
 
