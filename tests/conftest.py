@@ -1,4 +1,4 @@
-"""Which tests run when nothing is said: all but those that run whole commands, servers and the pages of the docs."""
+"""Which tests run when nothing is said: all but those of whole commands, servers and the pages of the docs."""
 
 from __future__ import annotations
 

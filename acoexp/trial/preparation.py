@@ -61,7 +61,8 @@ class _Asked:
         try:
             values = np.broadcast_to(np.asarray(given, dtype=np.float64), allowed.shape)
         except (TypeError, ValueError) as reason:
-            came = f"{type(given).__name__} of shape {np.shape(given)}"
+            shape = getattr(given, "shape", None)  # a ragged list has none
+            came = type(given).__name__ + (f" of shape {shape}" if shape is not None else "")
             raise StrategyError(f"{problem} of a shape that broadcasts to {allowed.shape}; got {came}") from reason
         if not (np.isfinite(values[allowed]).all() and (values[allowed] >= 0.0).all()):
             raise StrategyError(f"{problem} that are finite, and at least 0, on every move; got others")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from acoexp import Grid, solve
 from acoexp.errors import StrategyError
 from acoexp.registry.resolve import resolve
 from acoexp.trial import batch
-from acoexp.trial.batch import run_batch
+from acoexp.trial.batch import Batch, run_batch
 from acoexp.trial.result import Result
 from acoexp.trial.solver import Solver
 from acoexp.trial.trials import Trials
@@ -26,9 +27,22 @@ def solver() -> Solver:
     return Solver(YARD, resolve("aco", SETTINGS))
 
 
+def batch_of(
+    solver: Solver,
+    seeds: Iterable[int],
+    keep: Callable[[Trials], None],
+    *,
+    threads: int | None = None,
+    **kept: Any,
+) -> Batch:
+    """Run a batch of a solver's trials."""
+    iterations = solver.settings.scalars.iterations
+    return run_batch(lambda receive: solver.run(seeds, receive, threads), iterations, keep, **kept)
+
+
 @pytest.mark.parametrize("threads", [1, 3])
 def test_its_table_is_that_of_the_trials_one_by_one(solver: Solver, threads: int) -> None:
-    done = run_batch(solver, range(20), lambda portion: None, threads=threads)
+    done = batch_of(solver, range(20), lambda portion: None, threads=threads)
     one_by_one = Trials.of([solve(YARD, "aco", seed, **SETTINGS) for seed in range(20)])
     assert done.table.tobytes() == one_by_one.table.tobytes()
     np.testing.assert_allclose(done.curve, np.nanmean(one_by_one.curves, axis=0))
@@ -38,18 +52,18 @@ def test_its_table_is_that_of_the_trials_one_by_one(solver: Solver, threads: int
 def test_it_is_handed_over_in_portions_each_trial_once(solver: Solver, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batch, "PORTION", 6)
     portions: list[Trials] = []
-    told: list[int] = []
-    run_batch(solver, range(20), portions.append, threads=2, tell=told.append)
+    shown: list[int] = []
+    batch_of(solver, range(20), portions.append, threads=2, show=shown.append)
     assert [len(portion) for portion in portions] == [6, 6, 6, 2]
     assert sorted(s for portion in portions for s in portion.seeds.tolist()) == list(range(20))
-    assert told == [6, 12, 18, 20]
+    assert shown == [6, 12, 18, 20]
 
 
-def test_trials_that_are_there_count_and_are_not_handed_over(solver: Solver) -> None:
-    whole = run_batch(solver, range(9), lambda portion: None)
-    there = Trials.of([solve(YARD, "aco", seed, **SETTINGS) for seed in range(4)])
+def test_trials_that_are_found_count_and_are_not_handed_over(solver: Solver) -> None:
+    whole = batch_of(solver, range(9), lambda portion: None)
+    known = Trials.of([solve(YARD, "aco", seed, **SETTINGS) for seed in range(4)])
     portions: list[Trials] = []
-    resumed = run_batch(solver, range(4, 9), portions.append, there=[there])
+    resumed = batch_of(solver, range(4, 9), portions.append, found=[known])
     assert resumed.table.tobytes() == whole.table.tobytes()
     assert resumed.curve.tobytes() == whole.curve.tobytes()
     assert resumed.ran == sum(map(len, portions)) == 5
@@ -63,7 +77,7 @@ def test_a_trial_that_fails_does_not_stop_the_others(solver: Solver, monkeypatch
         return result
 
     monkeypatch.setattr(Solver, "_trial", trial)
-    done = run_batch(solver, range(10), lambda portion: None, threads=2)
+    done = batch_of(solver, range(10), lambda portion: None, threads=2)
     assert done.table["seed"].tolist() == [0, 2, 3, 4, 6, 7, 8]
     assert sorted((failure.seed, str(failure.reason)) for failure in done.failures) == [
         (1, "seed 1 broke"), (5, "seed 5 broke"), (9, "seed 9 broke"),
@@ -79,7 +93,7 @@ def test_what_was_finished_before_an_interruption_is_handed_over(
 
     portions: list[Trials] = []
     with pytest.raises(KeyboardInterrupt):
-        run_batch(solver, seeds(), portions.append, threads=1)
+        batch_of(solver, seeds(), portions.append, threads=1)
     assert [portion.seeds.tolist() for portion in portions] == [list(range(7))]
 
 
@@ -90,4 +104,4 @@ def test_a_store_that_takes_no_portion_ends_it(solver: Solver, monkeypatch: pyte
         raise OSError("disk full")
 
     with pytest.raises(OSError, match="disk full"):
-        run_batch(solver, range(1000), keep, threads=2)
+        batch_of(solver, range(1000), keep, threads=2)

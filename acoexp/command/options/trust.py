@@ -46,7 +46,8 @@ def check_option(file: str, config_path: str, package: str, content: Any) -> Non
                 f"{file}: expected plain values, or references such as ${{ants}}; an option file may not read the "
                 f"environment or files: got {text!r}"
             )
-    if _sets_address(content, bool(_ADDRESS.search(package or config_path.rpartition("/")[0]))):
+    elsewhere = any(_ADDRESS.search(entry.partition("@")[2]) for entry in _defaults(content))
+    if elsewhere or _sets_address(content, bool(_ADDRESS.search(package or config_path.rpartition("/")[0]))):
         raise HydraException(
             f"{file}: expected no tracking.uri; where results go is said on the command line: tracking.uri=..."
         )

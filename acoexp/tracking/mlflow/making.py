@@ -17,6 +17,9 @@ from pathlib import Path
 
 from acoexp.errors import TrackingError
 
+BUSY = 10.0
+"""Seconds for which a database may be locked by another program before it is made ready."""
+
 
 def make_whole(file: Path, make: Callable[[Path], object]) -> None:
     """Make a database unless it is there; drafts of processes that were killed meanwhile are removed.
@@ -59,7 +62,7 @@ def check_writable(file: Path) -> None:
     """
     if not os.access(file, os.W_OK):
         raise PermissionError(f"{file} is read-only")
-    with closing(sqlite3.connect(file, timeout=10.0, isolation_level=None)) as database:
+    with closing(sqlite3.connect(file, timeout=BUSY, isolation_level=None)) as database:
         database.execute("BEGIN IMMEDIATE")
         database.execute("ROLLBACK")
 
@@ -123,7 +126,7 @@ def _has(file: Path, rows: str) -> bool:
 
 def _reading(file: Path) -> sqlite3.Connection:
     # not read-only: what a killed process was writing could not be rolled back then
-    return sqlite3.connect(f"{file.as_uri()}?mode=rw", uri=True, timeout=10.0)
+    return sqlite3.connect(f"{file.as_uri()}?mode=rw", uri=True, timeout=BUSY)
 
 
 def _drafts(file: Path) -> str:

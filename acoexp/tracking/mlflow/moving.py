@@ -13,6 +13,8 @@ from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
+from acoexp.tracking.mlflow.making import BUSY
+
 log = logging.getLogger(__name__)
 
 ARTIFACTS = "artifacts"
@@ -32,7 +34,7 @@ def bring_artifacts_along(file: Path, experiment: str) -> None:
         sqlite3.Error: if the database cannot be read or written.
     """
     beside = file.parent / ARTIFACTS
-    with closing(sqlite3.connect(file, timeout=10.0)) as database:
+    with closing(sqlite3.connect(file, timeout=BUSY)) as database:
         row = database.execute(
             "SELECT experiment_id, artifact_location FROM experiments WHERE name = ?", (experiment,)
         ).fetchone()

@@ -119,18 +119,8 @@ def test_a_resolver_could_read_the_environment_and_is_refused_as_value_and_as_ke
         ("uri: x\n", "study/mine", "tracking"),
         ("uri: x\n", "study/mine", "_global_.tracking"),
         ("uri: x\n", "tracking/mine", ""),
-        pytest.param(
-            "defaults:\n  - /other@tracking: address\n",
-            "study/mine",
-            "_global_",
-            marks=pytest.mark.xfail(reason="trust.py does not see that defaults put another file there"),
-        ),
-        pytest.param(
-            "defaults:\n  - address@_global_.tracking\n",
-            "study/mine",
-            "_global_",
-            marks=pytest.mark.xfail(reason="trust.py does not see that defaults put another file there"),
-        ),
+        ("defaults:\n  - /other@tracking: address\n", "study/mine", "_global_"),
+        ("defaults:\n  - address@_global_.tracking\n", "study/mine", "_global_"),
     ],
 )
 def test_where_results_go_is_for_the_command_line_to_say(content: str, path: str, package: str) -> None:
