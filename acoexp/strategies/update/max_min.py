@@ -14,11 +14,15 @@ import numpy as np
 from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import clamp, evaporate, lay
 from acoexp.colony.problem import Problem
+from acoexp.errors import SettingsError
 from acoexp.parameters import parameter
 from acoexp.strategies.part import Update
 
 CHOICES = 4.0
 """c: half of the eight moves, as Stuetzle and Hoos take half of the cities."""
+
+LOWEST_RHO = 1e-6
+"""Where hardly anything evaporates the limits lie so high that nothing an ant lays would be seen."""
 
 
 @compiled
@@ -62,7 +66,17 @@ class MaxMin(Update):
     kernel = staticmethod(update)
 
     def prepare(self, problem: Problem) -> tuple[bool, float]:
-        """Hand the parameters over."""
+        """Hand the parameters over.
+
+        Raises:
+            SettingsError: for a rho from which no limits follow.
+        """
+        rho = problem.settings.rho
+        if rho < LOWEST_RHO:
+            raise SettingsError(
+                f"rho: expected a number from {LOWEST_RHO:g} to 1 with update=max_min, whose limits are Q / (rho L*); "
+                f"got {rho:g}"
+            )
         return (self.best == "run", self.p_best)
 
     def initial(self, problem: Problem) -> float:
@@ -70,4 +84,4 @@ class MaxMin(Update):
         settings = problem.settings
         (row, col), (goal_row, goal_col) = problem.grid.start, problem.grid.goal
         line = float(np.hypot(goal_row - row, goal_col - col))
-        return settings.q / (max(settings.rho, 1e-6) * line)
+        return settings.q / (settings.rho * line)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from samples import problem_on, random_grid
 
+from acoexp import SettingsError, solve
 from acoexp.strategies.update.max_min import CHOICES, MaxMin
 
 E, NE, N, NW, W, SW, S, SE = range(8)
@@ -43,6 +44,13 @@ def test_it_begins_at_a_level_that_no_limit_exceeds() -> None:
     grid = random_grid(3, 12, 12, "no_squeeze")
     problem = problem_on(grid, rho=0.1, q=2.0)
     assert MaxMin().initial(problem) >= 2.0 / (0.1 * grid.optimum)
+
+
+@pytest.mark.parametrize("rho", [0.0, 1e-300, 9e-7])
+def test_where_nothing_evaporates_there_are_no_limits_and_it_says_so(rho: float) -> None:
+    said = r"^rho: expected a number from 1e-06 to 1 with update=max_min, whose limits are Q / \(rho L\*\); got "
+    with pytest.raises(SettingsError, match=said + f"{rho:g}$"):
+        solve("fig13", "mmas", rho=rho)
 
 
 def test_as_long_as_no_ant_has_arrived_nothing_is_laid(updated: Callable[..., Any]) -> None:
