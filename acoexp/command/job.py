@@ -52,14 +52,18 @@ def run_job(config: DictConfig) -> float:
     """Run what a configuration describes; see :meth:`Job.run`.
 
     Raises:
-        AcoexpError: for whatever went wrong.
+        AcoexpError: for whatever went wrong with a job of a sweep; a single one ends the program, as Hydra would
+            print a line of its own.
     """
     handover = Handover()
     with handover.in_parent_folder():  # files and stores are named from there, also under hydra.job.chdir
         run = handover.ready or Job(config, handover).run
         try:
             return run()
-        except StoreGoneError as problem:  # no further job could be kept either, so the sweep ends here
+        except AcoexpError as problem:
+            alone = HydraConfig.get().mode == RunMode.RUN
+            if not (alone or isinstance(problem, StoreGoneError)):  # no further job could be kept then either
+                raise
             print_error(str(problem))
             raise SystemExit(FAILED) from problem
 

@@ -28,7 +28,10 @@ def main() -> None:
     wants_traceback = os.environ.get("HYDRA_FULL_ERROR") == "1"
     os.environ["HYDRA_FULL_ERROR"] = "1"  # so that Hydra hands its errors to us instead of printing them
     with ends_cleanly("what was finished is kept", lambda p: None if wants_traceback else _describe(p)):
-        _run()
+        try:
+            _run()
+        except SystemExit as ended:  # a job has told of its error
+            raise ended.__cause__ if wants_traceback and ended.__cause__ is not None else ended
 
 
 def _run() -> None:

@@ -16,6 +16,7 @@ from acoexp.registry.resolve import resolve
 from acoexp.strategies.groups import STRATEGY_GROUPS
 from acoexp.trial.settings import Settings
 
+_KEY = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*")
 _NAMED = re.compile(r"([^:=]*[^:= ]) ?: ?(.*)")
 
 
@@ -48,7 +49,7 @@ def parse_configurations(texts: Sequence[str], base: Mapping[str, Any]) -> list[
     parsed = [_parse(printable(" ".join(text.split())), base) for text in texts]
     labels = [one.label for one in parsed]
     if len(labels) < 2 or len(set(labels)) < len(labels):
-        raise SettingsError(f"report.cells: expected two or more, each different; got {labels}")
+        raise SettingsError(f"report.cells: expected two or more, each different; got {shown(labels)}")
     return parsed
 
 
@@ -68,15 +69,15 @@ def _parse(text: str, base: Mapping[str, Any]) -> Configuration:
 
 def _nested(overrides: Sequence[str]) -> dict[str, Any]:
     """Return ``key=value`` texts as nested settings; a part's name stands under ``name``."""
-    dotted = []
+    config = OmegaConf.create({})
     for override in overrides:
-        key, equals, value = override.partition("=")
-        if not key or not equals:
+        key, _, value = override.partition("=")
+        if not _KEY.fullmatch(key) or "=" not in override:
             raise SettingsError(f"expected key=value; got {shown(override)}")
-        dotted.append(f"{key}.name={value}" if key in STRATEGY_GROUPS else override)
-    try:
-        nested = OmegaConf.to_container(OmegaConf.from_dotlist(dotted), resolve=False)
-    except (OmegaConfBaseException, YAMLError, ValueError, TypeError) as problem:
-        reason = str(problem).splitlines()[0]
-        raise SettingsError(f"expected key=value, as on the command line; {reason}") from problem
+        dotted = f"{key}.name={value}" if key in STRATEGY_GROUPS else override
+        try:
+            config.merge_with_dotlist([dotted])
+        except (OmegaConfBaseException, YAMLError, ValueError, TypeError, RecursionError) as problem:
+            raise SettingsError(f"expected key=value, as on the command line; got {shown(override)}") from problem
+    nested = OmegaConf.to_container(config, resolve=False)
     return {str(key): value for key, value in nested.items()} if isinstance(nested, dict) else {}

@@ -215,6 +215,15 @@ def test_a_job_that_was_not_is_checked_now(composed: Composed, handover: Handove
         run_job(composed("rho=2.0"))
 
 
+def test_a_single_job_that_fails_ends_the_program_with_one_line(
+    composed: Composed, handover: Handover, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit, match="1") as ended:
+        run_job(composed("algo=mmas", "tracking=none", "rho=0"))
+    assert isinstance(ended.value.__cause__, SettingsError)
+    assert capsys.readouterr().err == f"acoexp: error: {ended.value.__cause__}\n"
+
+
 def test_a_store_that_is_gone_ends_the_whole_sweep(
     composed: Composed, handover: Handover, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -76,6 +76,11 @@ def test_a_colon_in_a_value_is_no_name() -> None:
         ("pdg field=3", "field: expected a mapping of parameters; got 3"),
         ("pdg rho=${ants}", "rho: expected a number from 0 to 1; got '${ants}'"),
         ("pdg seed=3", "seed is not a known key"),
+        ("pdg [=1", "expected key=value; got '[=1'"),
+        ("pdg rho[0]=1", "expected key=value; got 'rho[0]=1'"),
+        ("pdg .=1", "expected key=value; got '.=1'"),
+        ("pdg rho=!!python/object:os.system", "expected key=value, as on the command line; got 'rho=!!python"),
+        ("pdg rho=*a", "expected key=value, as on the command line; got 'rho=*a'"),
     ],
 )
 def test_a_bad_configuration_is_refused_in_one_line(text: str, said: str) -> None:
@@ -83,6 +88,17 @@ def test_a_bad_configuration_is_refused_in_one_line(text: str, said: str) -> Non
         parsed(text)
     assert str(caught.value).startswith(f"report.cells: {text!r}: {said}")
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("value", ["1" * 5000, "[" * 3000, "x" * 100_000])
+def test_of_what_is_very_long_the_beginning_is_shown(value: str) -> None:
+    with pytest.raises(SettingsError, match=r"^report.cells: 'pdg ants=") as caught:
+        parsed(f"pdg ants={value}")
+    assert len(str(caught.value)) < 800
+
+
+def test_what_a_terminal_would_obey_is_no_part_of_a_name() -> None:
+    assert parsed("\x1b[31mred: pd").label == r"\x1b[31mred"
 
 
 @pytest.mark.parametrize("texts", [[], ["aco"], ["aco", "pd", " aco "]])

@@ -96,6 +96,13 @@ def test_a_person_who_asks_for_a_traceback_gets_it(tmp_path: Path) -> None:
     assert "Traceback" in ended.stderr
 
 
+def test_a_person_who_asks_for_the_traceback_of_a_job_gets_it_too(tmp_path: Path) -> None:
+    ended = run_acoexp("algo=mmas", "rho=0", *QUICK, cwd=tmp_path, env={"HYDRA_FULL_ERROR": "1"})
+    assert ended.returncode == 1
+    assert "max_min.py" in ended.stderr
+    assert ended.stderr.splitlines()[-1].startswith("acoexp.errors.SettingsError: rho: expected")
+
+
 def checked(*overrides: str) -> str:
     """Compose a configuration as Hydra does, check it as every job is checked, and return the refusal."""
     register_options(None)

@@ -92,8 +92,15 @@ def test_a_part_that_breaks_its_contract_fails_its_own_jobs_alone(
     quick = ("iterations=3", "ants=9")
     ended = run_acoexp(f"{group}={name},{good}", "-m", "seed=0,1", *quick, cwd=tmp_path, env=plugin)
     assert ended.returncode == 1
-    assert said in ended.stderr.splitlines()[-1]
-    assert ended.stderr.splitlines()[-1].startswith("acoexp: error: ")
+    *lines, last = [line for line in ended.stderr.splitlines() if line.startswith("acoexp: error: ")]
+    assert last == "acoexp: error: 2 of 4 jobs failed; the others are kept"
+    assert [
+        said in line and f"{group}={name}" in line and f"seed={seed}" in line for seed, line in enumerate(lines)
+    ] == [
+        True,
+        True,
+    ]
+    assert [said in file.read_text() for file in tmp_path.rglob("failed.txt")] == [True, True]
     assert "Traceback" not in ended.stderr
     assert "2 of 4 trials finished" in ended.stdout
     assert [trial["config"][f"{group}.name"] for trial in trials(tmp_path)] == [good, good]
@@ -117,11 +124,13 @@ def test_a_part_whose_package_is_broken_is_refused_before_anything_runs(
 
 @pytest.mark.slow_without_jit
 @pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
-def test_what_cannot_be_compiled_is_tried_and_told_of_once(plugin: dict[str, str], tmp_path: Path) -> None:
+def test_what_cannot_be_compiled_is_tried_once_and_said_for_each_job(
+    plugin: dict[str, str], tmp_path: Path
+) -> None:
     ended = run_acoexp("diffusion=listing,none", "-m", "seed=0-2", *QUICK, cwd=tmp_path, env=plugin)
     assert ended.returncode == 1
     assert ended.stderr.count("compiling the colony") <= 2, ended.stderr
-    assert ended.stderr.count("must not allocate") == 1, ended.stderr
+    assert ended.stderr.count("must not allocate") == 3, ended.stderr
     assert "3 of 6 trials finished" in ended.stdout
 
 

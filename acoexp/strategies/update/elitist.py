@@ -30,7 +30,9 @@ def update(colony: Any, own: Any, raw: Any, final: Any, best: Any) -> None:
 class Elitist(Update):
     """Every ant lays Q / L, and a number of elitist ants lay it on the run's best path (Dorigo et al. 1996)."""
 
-    elitists: int = parameter(8, "elitist ants e, that walk the best path again in each cycle", minimum=0, maximum=100_000)
+    elitists: int = parameter(
+        8, "elitist ants e, that walk the best path again in each cycle", minimum=0, maximum=100_000
+    )
 
     kernel = staticmethod(update)
 

@@ -74,8 +74,8 @@ class MaxMin(Update):
         rho = problem.settings.rho
         if rho < LOWEST_RHO:
             raise SettingsError(
-                f"rho: expected a number from {LOWEST_RHO:g} to 1 with update=max_min, whose limits are Q / (rho L*); "
-                f"got {rho:g}"
+                f"rho: expected a number from {LOWEST_RHO:g} to 1 with update=max_min, whose limits are "
+                f"Q / (rho L*); got {rho:g}"
             )
         return (self.best == "run", self.p_best)
 

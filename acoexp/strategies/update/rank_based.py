@@ -55,7 +55,9 @@ def _shortest_left(colony: Any, own: Any, trails: Any) -> Any:
 class RankBased(Update):
     """Only the best ants of a cycle lay, by their rank, and most the run's best (Bullnheimer et al. 1997)."""
 
-    ranks: int = parameter(6, "weight w of the run's best path; w - 1 ants of a cycle lay", minimum=1, maximum=100_000)
+    ranks: int = parameter(
+        6, "weight w of the run's best path; w - 1 ants of a cycle lay", minimum=1, maximum=100_000
+    )
 
     kernel = staticmethod(update)
 

@@ -16,9 +16,7 @@ from glob import escape
 from pathlib import Path
 
 from acoexp.errors import TrackingError
-
-BUSY = 10.0
-"""Seconds for which a database may be locked by another program before it is made ready."""
+from acoexp.tracking.mlflow.database import BUSY
 
 
 def make_whole(file: Path, make: Callable[[Path], object]) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
-from acoexp.tracking.mlflow.making import BUSY
+from acoexp.tracking.mlflow.database import BUSY
 
 log = logging.getLogger(__name__)
 

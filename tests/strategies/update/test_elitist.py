@@ -7,7 +7,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 
+from acoexp.errors import SettingsError
+from acoexp.parameters import build
 from acoexp.strategies.update.elitist import Elitist
 
 E, NE, N, NW, W, SW, S, SE = range(8)
@@ -28,6 +31,13 @@ def test_without_elitists_it_is_the_ant_system(updated: Callable[..., Any]) -> N
 
 def test_as_long_as_no_ant_has_arrived_nothing_is_laid(updated: Callable[..., Any]) -> None:
     assert np.unique(updated(Elitist(), None, None, best=None)).size == 1
+
+
+def test_more_than_there_can_be_ants_is_refused() -> None:
+    with pytest.raises(
+        SettingsError, match=r"^update.elitists: expected a whole number from 0 to 100000; got 1000"
+    ):
+        build(Elitist, {"elitists": 10**100}, "update.")
 
 
 def test_its_preset_learns(learns: Callable[[str], bool]) -> None:

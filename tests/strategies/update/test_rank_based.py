@@ -7,7 +7,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 
+from acoexp.errors import SettingsError
+from acoexp.parameters import build
 from acoexp.strategies.update.rank_based import RankBased
 
 E, NE, N, NW, W, SW, S, SE = range(8)
@@ -29,6 +32,11 @@ def test_only_so_many_ants_lay_as_there_are_ranks(updated: Callable[..., Any]) -
 
 def test_as_long_as_no_ant_has_arrived_nothing_is_laid(updated: Callable[..., Any]) -> None:
     assert np.unique(updated(RankBased(), None, None, best=None)).size == 1
+
+
+def test_more_than_there_can_be_ants_is_refused() -> None:
+    with pytest.raises(SettingsError, match=r"^update.ranks: expected a whole number from 1 to 100000; got 1000"):
+        build(RankBased, {"ranks": 10**100}, "update.")
 
 
 def test_its_preset_learns(learns: Callable[[str], bool]) -> None:

@@ -199,6 +199,13 @@ def test_what_will_not_pass_is_told_at_once_and_in_one_line(problem: Exception, 
     assert (action.tries, pauses) == (1, [])
 
 
+def test_a_store_that_takes_nothing_any_more_is_not_waited_for(pauses: list[float]) -> None:
+    full = OperationalError("INSERT", {}, Exception("database or disk is full"))
+    with pytest.raises(StoreGoneError, match=r"^tracking.uri: http://server does not .* is full; make room there"):
+        Store("http://server").with_retries(Failing(full), "does not take a trial")
+    assert pauses == []
+
+
 def test_a_store_that_stays_away_is_waited_for_once(pauses: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(store_module, "PATIENCE", 0.05)  # less than the first pause
     store, action = Store("http://server"), Failing(*[ConnectionError("no route")] * 3)

@@ -171,6 +171,30 @@ def test_a_batch_with_trials_that_failed_says_which_and_has_failed(tracker: Mlfl
     assert Path(said).read_text("utf-8") == "4: the part broke\n7: so did this\n"
 
 
+def test_a_batch_whose_seeds_are_too_long_for_a_param_is_found_as_any_other(tracker: MlflowTracker) -> None:
+    what, many = setup(0.125), parse_seeds(",".join(str(2 * n) for n in range(300)))
+    trials = Trials.of(results(what, many))
+    log = tracker.begin(what, many)
+    log.keep(trials)
+    log.finish(aggregate(trials.table, YARD.optimum, 4), trials.curves[0], csv_lines(trials.table), {})
+    (run,) = runs_of(tracker, what)
+    assert (run.data.params.get("seeds"), len(run.info.run_name or "")) == (None, 250)
+    assert found(tracker, what, many)[what.identity(many)].trials == 300
+    assert Trials.joined(kept(tracker, what, many)).table.tobytes() == trials.table.tobytes()
+
+
+def test_a_batch_that_lost_its_trials_says_so_and_what_to_do(
+    tracker: MlflowTracker, caplog: pytest.LogCaptureFixture
+) -> None:
+    what = setup(0.126)
+    trials = Trials.of(results(what))
+    summary = aggregate(trials.table, YARD.optimum, 4)
+    tracker.begin(what, SEEDS).finish(summary, trials.curves[0], csv_lines(trials.table), {})
+    assert kept(tracker, what) == []
+    (said,) = caplog.messages
+    assert said.endswith("; resume=false runs and keeps them again")
+
+
 def test_trials_are_found_by_their_seeds_in_whatever_batch_each_once(tracker: MlflowTracker) -> None:
     what = setup(0.13)
     every = results(what, parse_seeds("0-19"))

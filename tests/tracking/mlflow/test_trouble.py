@@ -1,4 +1,4 @@
-"""A disk that is full, a folder that cannot be written, a database that another program holds: one line, status 1."""
+"""A disk that is full, a folder that cannot be written, a database that another holds: one line, and status 1."""
 
 from __future__ import annotations
 
@@ -68,7 +68,8 @@ def test_a_disk_too_small_for_a_store_is_told_in_one_line_and_left_empty(tmp_pat
 
 @needs_root
 def test_a_folder_that_cannot_be_written_is_told_in_one_line(tmp_path: Path) -> None:
-    with mounted(tmp_path, "--bind", str(tmp_path)), mounted(tmp_path, "-o", "remount,ro,bind"):
+    with mounted(tmp_path, "--bind", str(tmp_path)):
+        subprocess.run(["mount", "-o", "remount,ro,bind", str(tmp_path)], check=True)
         ended = run_acoexp(*QUICK, "-m", "seed=0-1", cwd=tmp_path)
     assert (ended.returncode, ended.stderr.count("\n")) == (1, 1), ended.stderr
     assert "Read-only file system" in ended.stderr
@@ -91,7 +92,7 @@ def test_a_database_that_another_program_holds_is_told_in_one_line(
 def test_a_store_that_another_command_does_not_stop_making_ready_is_told_of(
     fresh: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("acoexp.tracking.mlflow.store.PATIENCE", 0.1)
+    monkeypatch.setattr("acoexp.tracking.mlflow.store._LOCK_PATIENCE", 0.1)
     store = Store(fresh)
     with store._alone(), pytest.raises(TrackingError, match=r"could not be acquired.*; another program holds it"):
         Store(fresh).prepare()
