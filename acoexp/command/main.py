@@ -30,8 +30,10 @@ def main() -> None:
     with ends_cleanly("what was finished is kept", lambda p: None if wants_traceback else _describe(p)):
         try:
             _run()
-        except SystemExit as ended:  # a job has told of its error
-            raise ended.__cause__ if wants_traceback and ended.__cause__ is not None else ended
+        except SystemExit as ended:  # a job has said what is wrong
+            if wants_traceback and ended.__cause__ is not None:
+                raise ended.__cause__ from None
+            raise
 
 
 def _run() -> None:
