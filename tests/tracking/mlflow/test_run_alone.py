@@ -1,4 +1,4 @@
-"""Of the finished runs of one identity one stays, the same whoever looks; one that a person edited is none of them."""
+"""Of the finished runs of one identity one stays, whoever looks; one that a person edited is none of them."""
 
 from __future__ import annotations
 
