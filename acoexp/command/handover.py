@@ -57,7 +57,8 @@ class Handover(metaclass=Singleton):
         """Return the map for a configuration, as the parent loaded it; None if it did not send it along."""
         if self.folder is None or not self._file(config).is_file():
             return None
-        return _unpacked(self._file(config))
+        file = self._file(config)
+        return _unpacked(file, file.stat().st_mtime_ns)
 
     def own_folder(self, folder: Path) -> Path:
         """Return a job's folder; one within it for every further job of a sweep whose pattern leads there too."""
@@ -89,8 +90,8 @@ def _packed(grid: Grid) -> bytes:
 
 
 @lru_cache(maxsize=4)
-def _unpacked(file: Path) -> Grid:
-    """Return a map once for the jobs of a process that share it."""
+def _unpacked(file: Path, written: int) -> Grid:
+    """Return a map once for the jobs of a process that share it; another that was written in its place is read."""
     with np.load(file, allow_pickle=False) as archive:
         about = json.loads(archive["about"].tobytes())
         start, goal = tuple(about.pop("start")), tuple(about.pop("goal"))

@@ -8,6 +8,7 @@ from typing import Any
 
 from acoexp.errors import SettingsError, did_you_mean
 from acoexp.parameters import REQUIRED, build
+from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.tracker import MlflowTracker
 from acoexp.tracking.options import TRACKING, Mlflow
 from acoexp.tracking.tracker import NoTracker, Tracker
@@ -40,5 +41,6 @@ def check_uri(uri: str) -> str:
         SettingsError: if it is none.
     """
     if uri in ("", REQUIRED) or _IN_MEMORY.search(uri):
-        raise SettingsError(f"tracking.uri: expected the address of an MLflow store that lasts; got {uri!r}")
+        shown = masked(uri, uri)
+        raise SettingsError(f"tracking.uri: expected the address of an MLflow store that lasts; got {shown!r}")
     return uri

@@ -45,6 +45,12 @@ def test_jobs_of_a_process_share_a_map(handover: Handover, tmp_path: Path) -> No
     assert handover.map_of(CONFIG) is handover.map_of(CONFIG)
 
 
+def test_a_map_that_takes_anothers_place_is_the_one_that_is_found(handover: Handover, tmp_path: Path) -> None:
+    for grid in (YARD, Grid([[0, 0, 0]], name="later")):
+        handover.put_maps(tmp_path, [(CONFIG, grid)])
+        assert everything(handover.map_of(CONFIG)) == everything(grid)
+
+
 def test_a_map_that_would_run_code_is_not_loaded(handover: Handover, tmp_path: Path) -> None:
     handover.put_maps(tmp_path, [(CONFIG, YARD)])
     (file,) = (tmp_path / "maps").iterdir()

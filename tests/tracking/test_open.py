@@ -83,3 +83,8 @@ def test_a_store_that_does_not_last_is_refused(uri: str) -> None:
 )
 def test_any_store_that_lasts_will_do(uri: str) -> None:
     assert check_uri(uri) == uri
+
+
+def test_an_address_that_is_refused_is_shown_without_its_password() -> None:
+    said = refusal(name="mlflow", uri="sqlite://?mode=memory&password=s3cret")
+    assert said.endswith("got 'sqlite://?mode=memory&password=***'")
