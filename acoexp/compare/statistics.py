@@ -13,8 +13,8 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy  # scipy.stats is imported when first used: it is a fifth of what a command costs to start
 from numpy.typing import NDArray
-from scipy import stats
 
 Values = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -41,7 +41,7 @@ def mean_and_deviation(values: Values) -> tuple[float, float]:
 
 def success_rate(found: Flags) -> Estimate:
     """Return the share of successes with Wilson's interval."""
-    test = stats.binomtest(int(found.sum()), found.size)
+    test = scipy.stats.binomtest(int(found.sum()), found.size)
     interval = test.proportion_ci(LEVEL, method="wilson")
     return Estimate(float(test.statistic), float(interval.low), float(interval.high))
 
@@ -74,7 +74,7 @@ def superiority(a: Values, b: Values) -> Estimate:
     n = a.size
 
     def a12(trials: NDArray[Any], axis: int = -1) -> Any:
-        ranks = stats.rankdata(np.concatenate([a[trials], b[trials]], axis=axis), axis=axis)
+        ranks = scipy.stats.rankdata(np.concatenate([a[trials], b[trials]], axis=axis), axis=axis)
         return (ranks[..., n:].mean(axis=axis) - (n + 1) / 2) / n
 
     return _bootstrap(a12, n)
@@ -88,7 +88,7 @@ def odds_ratio(a: Flags, b: Flags) -> Estimate:
     only_a, only_b = int((a & ~b).sum()), int((b & ~a).sum())
     if only_a + only_b == 0:
         return Estimate(np.nan, 0.0, np.inf)
-    test = stats.binomtest(only_a, only_a + only_b)
+    test = scipy.stats.binomtest(only_a, only_a + only_b)
     interval = test.proportion_ci(LEVEL, method="exact")
     shares = (float(test.statistic), float(interval.low), float(interval.high))
     return Estimate(*(share / (1.0 - share) if share < 1.0 else np.inf for share in shares))
@@ -101,7 +101,7 @@ def sign_test(a: Values | Flags, b: Values | Flags) -> float:
     differences, as a signed-rank test would. With flags it is McNemar's exact test.
     """
     wins, losses = int((a < b).sum()), int((a > b).sum())
-    return float(stats.binomtest(wins, wins + losses).pvalue) if wins + losses else 1.0
+    return float(scipy.stats.binomtest(wins, wins + losses).pvalue) if wins + losses else 1.0
 
 
 def holm(p_values: Sequence[float]) -> list[float]:
@@ -117,7 +117,7 @@ def holm(p_values: Sequence[float]) -> list[float]:
 def _bootstrap(statistic: Callable[..., Any], n: int) -> Estimate:
     """Return a statistic of the trials 0..n-1 with its percentile interval, the same at every call."""
     trials = np.arange(n)
-    interval = stats.bootstrap(
+    interval = scipy.stats.bootstrap(
         (trials,),
         statistic,
         n_resamples=RESAMPLES,

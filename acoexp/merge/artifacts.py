@@ -11,9 +11,9 @@ from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
-from urllib.request import url2pathname
 
 from acoexp.errors import TrackingError
+from acoexp.tracking.mlflow.moving import local_folder
 from acoexp.tracking.mlflow.store import Store
 
 if TYPE_CHECKING:
@@ -43,16 +43,16 @@ def artifacts_of(source: Store, run: Run, folder: Path) -> list[tuple[Path, str 
 
 def _place(source: Store, run: Run, folder: Path) -> Path | None:
     """Return the folder with a run's artifacts; None if it has none."""
-    address, needed = urlsplit(run.info.artifact_uri), "trials" in run.data.metrics
+    needed = "trials" in run.data.metrics
     if source.uri.startswith(("http:", "https:")):
-        if address.scheme == _SERVED:
+        if urlsplit(run.info.artifact_uri).scheme == _SERVED:
             return _fetched(source, run, folder)
         if needed:
             raise _refusal(f"handed out by that server; got {run.info.artifact_uri}")
         return None
     root = (source.folder or Path("outputs").absolute()) / "artifacts"
-    named = Path(url2pathname(address.path))
-    if address.scheme not in ("", "file") or ".." in named.parts:
+    named = local_folder(run.info.artifact_uri)
+    if named is None or ".." in named.parts:
         raise _refusal(f"in {root}; got {run.info.artifact_uri}")
     # a store that was moved or copied names folders of where it was before
     place = named if named.is_relative_to(root) else root.joinpath(*named.relative_to(named.anchor).parts[-2:])

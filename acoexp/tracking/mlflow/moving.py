@@ -11,7 +11,6 @@ import sqlite3
 from contextlib import closing
 from pathlib import Path
 from urllib.parse import urlsplit
-from urllib.request import url2pathname
 
 from acoexp.tracking.mlflow.database import BUSY
 
@@ -59,7 +58,7 @@ def _was_beside(file: Path, location: str, beside: Path) -> bool:
 
     One that is there without a database beside it was chosen.
     """
-    old = _local(location)
+    old = local_folder(location)
     if old is None or old.name != ARTIFACTS or old == beside:
         return False
     if not old.parent.is_dir():
@@ -70,9 +69,11 @@ def _was_beside(file: Path, location: str, beside: Path) -> bool:
     return original or (beside.is_dir() and not old.is_dir())
 
 
-def _local(location: str) -> Path | None:
-    """Return the folder that a place of artifacts is; None for one elsewhere."""
+def local_folder(location: str) -> Path | None:
+    """Return the folder that a place of artifacts is, an address or a plain path; None for one elsewhere."""
     address = urlsplit(location)
     if address.scheme == "file":
+        from urllib.request import url2pathname  # brings all of http and ssl along
+
         return Path(url2pathname(address.path))
-    return Path(location) if "://" not in location else None
+    return None if address.scheme else Path(location)

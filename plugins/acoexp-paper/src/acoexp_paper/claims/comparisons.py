@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from scipy import stats
+import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare import statistics
 from acoexp.compare.measures import SIGNIFICANCE
@@ -69,7 +69,7 @@ class Fewer(Comparison):
     def p_and_effect(self, samples: Samples) -> tuple[float, float]:
         """The same test, and A12 from Mann and Whitney's U."""
         a, b = self._values(samples)
-        wins = stats.mannwhitneyu(b, a, method="asymptotic").statistic
+        wins = scipy.stats.mannwhitneyu(b, a, method="asymptotic").statistic
         return statistics.sign_test(a, b), float(wins) / (a.size * b.size)
 
     def _values(self, samples: Samples) -> tuple[Values, Values]:
@@ -113,4 +113,4 @@ class MoreOften(Comparison):
 
 def _signed_rank(effects: Values) -> float:
     """Return p of Wilcoxon's test that effects, one per map, lie around 0; 1 if all are 0."""
-    return float(stats.wilcoxon(effects).pvalue) if effects.any() else 1.0
+    return float(scipy.stats.wilcoxon(effects).pvalue) if effects.any() else 1.0

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import ClassVar, NamedTuple
 
 import numpy as np
-from scipy import stats
+import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare.statistics import LEVEL, RESAMPLES, Estimate, Values
 from acoexp_paper.trials.samples import Samples
@@ -103,7 +103,7 @@ def mean_over(effects: Values) -> Estimate:
     """Return the mean of one number per map, with its bootstrap interval over maps."""
     if effects.size < 2 or np.ptp(effects) == 0.0:
         return Estimate(float(effects.mean()), float(effects.min()), float(effects.max()))
-    interval = stats.bootstrap(
+    interval = scipy.stats.bootstrap(
         (effects,), np.mean, n_resamples=RESAMPLES, confidence_level=LEVEL,
         method="percentile", random_state=np.random.default_rng(0),
     ).confidence_interval  # fmt: skip

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy import stats
+import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare.statistics import LEVEL, Estimate, Values
 from acoexp_paper.published.tables import TRIALS
@@ -58,7 +58,7 @@ def rarity(maps: Sequence[Values], printed: float) -> float:
         off = np.abs(np.nan_to_num(mean, nan=np.inf) - centre).round(9)
         return np.asarray(off.max(axis=axis), dtype=np.float64)
 
-    test = stats.monte_carlo_test(
+    test = scipy.stats.monte_carlo_test(
         [printed], means, distance, n_resamples=_RESAMPLES_OF_TEST, alternative="greater"
     )
     return float(test.pvalue)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
+import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare import statistics
 from acoexp.compare.measures import SIGNIFICANCE
@@ -128,7 +128,7 @@ class CountIs(Frequency):
     def _p(self, flags: Flags) -> float:
         ours = int(flags.sum())
         counts = [[self.printed, TRIALS - self.printed], [ours, flags.size - ours]]
-        return float(stats.fisher_exact(counts).pvalue)
+        return float(scipy.stats.fisher_exact(counts).pvalue)
 
 
 @dataclass(frozen=True)
@@ -146,4 +146,6 @@ class Every(Frequency):
         return f"{int(flags.sum())} of {flags.size}"
 
     def _p(self, flags: Flags) -> float:
-        return float(stats.binomtest(int(flags.sum()), flags.size, PRACTICALLY_ALL, alternative="less").pvalue)
+        return float(
+            scipy.stats.binomtest(int(flags.sum()), flags.size, PRACTICALLY_ALL, alternative="less").pvalue
+        )
