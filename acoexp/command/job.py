@@ -17,6 +17,7 @@ from omegaconf import DictConfig, OmegaConf
 
 from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
+from acoexp.command.options.quoting import literal
 from acoexp.command.results.contents import batch_record, trial_record
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
 from acoexp.command.results.table import print_report, print_trial
@@ -117,7 +118,7 @@ class Job:
             reports = Path("outputs/reports") if alone else folder
             return self._write_report(self.report, reports / self.config["report"]["name"])
         address = str(self._mapping("tracking").get("uri", ""))
-        write_whole(folder / "config.yaml", masked(OmegaConf.to_yaml(self.config), address))
+        write_whole(folder / "config.yaml", masked(OmegaConf.to_yaml(literal(self.config)), address))
         if self.seeds is None:
             return self._run_trial(folder, alone)
         watched = Watched(folder=folder, where=self.tracker.where, trials=len(self.seeds))

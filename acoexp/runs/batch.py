@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.grid.grid import Grid
 from acoexp.tracking.setup import Setup
-from acoexp.tracking.tracker import BatchLog, Tracker
+from acoexp.tracking.tracker import Tracker
 from acoexp.trial.batch import Batch, run_batch
 from acoexp.trial.seeds import Seeds
 from acoexp.trial.settings import Settings
@@ -48,39 +48,19 @@ def keep_batch(
         StrategyError: if the colony cannot be made. A trial that fails is in the batch's ``failures``.
         TrackingError: if the batch cannot be kept.
     """
-    known = resume and tracker.has(setup.identity(seeds))
-    run = None if known else tracker.begin(setup, seeds, resume=resume)
-
-    def keep(portion: Trials) -> None:
-        if run is not None:
-            run.keep(portion)
-        receive(portion)
-
-    found: list[NDArray[np.uint64]] = []
-
-    def kept_before() -> Iterator[Trials]:
-        for portion in tracker.find_trials(setup.configuration_id, seeds) if resume else ():
-            found.append(portion.seeds)
-            keep(portion)
-            yield portion
-        if found:
-            total = sum(map(len, found))
-            log.info("%s: %d of %d trials found in the store", _name(setup), total, len(seeds))
-
+    kept = _KeptBatch(setup, seeds, tracker, resume, receive)
     try:
         solver = Solver(setup.grid, setup.settings)
         batch = run_batch(
-            lambda receive: solver.run(_missing(seeds, found), receive, threads),
+            lambda receive: solver.run(kept.missing(), receive, threads),
             setup.settings.scalars.iterations,
-            keep,
-            found=kept_before(),
+            kept.keep,
+            found=kept.found_before(),
             show=show,
         )
-        if run is not None:
-            _finish(run, setup, batch)
+        kept.finish(batch)
     except BaseException as problem:
-        if run is not None:
-            run.abandon(str(problem) or type(problem).__name__)
+        kept.abandon(str(problem) or type(problem).__name__)
         raise
     return batch
 
@@ -115,16 +95,62 @@ def kept_trials(
     return Trials.joined(portions)
 
 
-def _missing(seeds: Seeds, found: list[NDArray[np.uint64]]) -> Iterator[int]:
-    """Yield the seeds that are not found; nothing is looked at before the first is asked for."""
-    yield from np.setdiff1d(seeds.array(), np.concatenate(found)).tolist() if found else seeds
+class _KeptBatch:
+    """A batch, and the run that it is kept as: none if the store has it with all of its trials."""
 
+    def __init__(
+        self, setup: Setup, seeds: Seeds, tracker: Tracker, resume: bool, receive: Callable[[Trials], None]
+    ) -> None:
+        self._setup, self._seeds, self._tracker, self._receive = setup, seeds, tracker, receive
+        self._resume = resume
+        self._found: list[NDArray[np.uint64]] = []
+        known = resume and tracker.has(setup.identity(seeds))
+        self._run = None if known else tracker.begin(setup, seeds, resume=resume)
 
-def _finish(run: BatchLog, setup: Setup, batch: Batch) -> None:
-    iterations = setup.settings.scalars.iterations
-    summary = aggregate(batch.table, setup.grid.optimum, iterations) if len(batch.table) else None
-    failed = {failure.seed: str(failure.reason) for failure in batch.failures}
-    run.finish(summary, batch.curve, csv_lines(batch.table), failed)
+    def found_before(self) -> Iterator[Trials]:
+        """Yield the trials that the store has, each kept once more as one of this run."""
+        for portion in self._in_store():
+            self._found.append(portion.seeds)
+            self.keep(portion)
+            yield portion
+        total = sum(map(len, self._found))
+        if self._found:
+            log.info("%s: %d of %d trials found in the store", _name(self._setup), total, len(self._seeds))
+        if self._run is None and total < len(self._seeds):
+            self._keep_again()
+
+    def missing(self) -> Iterator[int]:
+        """Yield the seeds that were not found; nothing is looked at before the first is asked for."""
+        found = self._found
+        yield from np.setdiff1d(self._seeds.array(), np.concatenate(found)).tolist() if found else self._seeds
+
+    def keep(self, portion: Trials) -> None:
+        if self._run is not None:
+            self._run.keep(portion)
+        self._receive(portion)
+
+    def finish(self, batch: Batch) -> None:
+        """Keep the aggregates and the table of all trials, and end the run."""
+        if self._run is None:
+            return
+        iterations = self._setup.settings.scalars.iterations
+        summary = aggregate(batch.table, self._setup.grid.optimum, iterations) if len(batch.table) else None
+        failed = {failure.seed: str(failure.reason) for failure in batch.failures}
+        self._run.finish(summary, batch.curve, csv_lines(batch.table), failed)
+
+    def abandon(self, reason: str) -> None:
+        if self._run is not None:
+            self._run.abandon(reason)
+
+    def _in_store(self) -> Iterable[Trials]:
+        return self._tracker.find_trials(self._setup.configuration_id, self._seeds) if self._resume else ()
+
+    def _keep_again(self) -> None:
+        """Begin a run in place of a finished one whose trials are damaged or gone."""
+        log.warning("%s: trials of a finished batch are lost; they are run and kept again", _name(self._setup))
+        self._run = self._tracker.begin(self._setup, self._seeds, resume=False)
+        for portion in self._in_store():
+            self._run.keep(portion)
 
 
 def _name(setup: Setup) -> str:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import multiprocessing
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 import pytest
 from forked import IMPORTED
@@ -72,6 +75,23 @@ def test_the_same_batch_again_runs_nothing(store: MlflowTracker) -> None:
     assert (first.ran, again.ran) == (10, 0)
     assert again.table.tobytes() == first.table.tobytes()
     assert len(runs_of(store, what)) == 1
+
+
+@pytest.mark.parametrize("lost", [Path.unlink, lambda file: file.write_bytes(b"PK")], ids=["gone", "damaged"])
+def test_a_finished_batch_whose_trials_are_lost_is_run_and_kept_again(
+    lost: Callable[[Path], object], store: MlflowTracker
+) -> None:
+    what = setup(rho=0.121)
+    keep_batch(what, parse_seeds("0-4"), store)
+    keep_batch(what, SEEDS, store)
+    for run in runs_of(store, what):
+        for file in Path(url2pathname(urlsplit(run.info.artifact_uri).path), "trials").glob("*.npz"):
+            lost(file)
+    first, again, third = (keep_batch(what, SEEDS, store) for _ in range(3))
+    assert (first.ran, again.ran, third.ran) == (10, 0, 0)
+    assert again.table.tobytes() == Trials.of(results(what)).table.tobytes()
+    finished = [run.data.params["seeds"] for run in runs_of(store, what) if run.info.status == "FINISHED"]
+    assert sorted(finished) == ["0-4", "0-9"]
 
 
 def test_a_larger_batch_runs_what_is_missing(store: MlflowTracker) -> None:

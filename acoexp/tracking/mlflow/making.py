@@ -47,7 +47,7 @@ def make_whole(file: Path, make: Callable[[Path], object]) -> None:
             "-journal",
             "-wal",
             "-shm",
-        ):  # SQLite would play those of an earlier database into this one
+        ):  # of an earlier database: SQLite would play them in
             Path(f"{file}{journal}").unlink(missing_ok=True)
         whole.replace(file)
 

@@ -144,9 +144,7 @@ class MlflowTracker:
             artifacts = self.store.with_retries(lambda: client.list_artifacts(run_id, ARCHIVES), "cannot be read")
             if not artifacts and is_whole(run):
                 place = masked(run.info.artifact_uri)
-                log.warning(
-                    "run %s: its trials are no longer in %s; resume=false runs and keeps them again", run_id, place
-                )
+                log.warning("run %s: its trials are no longer in %s", run_id, place)
             for artifact in artifacts:
 
                 def fetch(name: str = artifact.path) -> bytes:

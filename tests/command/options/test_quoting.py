@@ -11,7 +11,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from omegaconf import OmegaConf
 
-from acoexp.command.options.quoting import hydra_text, shell_word
+from acoexp.command.options.quoting import hydra_text, literal, shell_word
 
 PARSER = OverridesParser.create()
 SIGNS = "ab\\\"'${}=,[]() \t\n:~#`!*?|;&ü中"
@@ -41,6 +41,7 @@ def as_hydra_takes_it(override: str) -> object:
 def test_hydra_takes_a_quoted_text_for_just_this_text(text: str) -> None:
     assert as_hydra_takes_it(f"k={hydra_text(text)}") == text
     assert as_hydra_takes_it(f"k=[{hydra_text(text)}]") == [text]
+    assert OmegaConf.to_container(OmegaConf.create(literal({"k": [text, 1]})), resolve=True) == {"k": [text, 1]}
 
 
 @pytest.mark.parametrize(
