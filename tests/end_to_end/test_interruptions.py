@@ -190,3 +190,22 @@ def test_where_nobody_watches_there_is_no_bar(tmp_path: Path) -> None:
     ended = run_acoexp("-m", "seed=0-1", *QUICK, cwd=tmp_path, env={"TERM": "xterm", "FORCE_COLOR": ""})
     assert (ended.returncode, ended.stderr) == (0, "")
     assert "\x1b" not in ended.stdout
+
+
+SLOW_TRIAL = """
+import acoexp, time
+acoexp.solve("fig13", "aco", iterations=1)
+print("ready", flush=True)
+acoexp.solve("fig13", "aco", iterations=1_000_000, ants=50)
+"""
+
+
+@posix
+def test_a_long_trial_can_be_interrupted() -> None:
+    process = subprocess.Popen([sys.executable, "-c", SLOW_TRIAL], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdout is not None
+    assert process.stdout.readline() == b"ready\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=20)
+    assert b"KeyboardInterrupt" in errors

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import signal
-import subprocess
-import sys
 import time
 from dataclasses import dataclass
 from typing import Any
@@ -174,25 +171,6 @@ def test_one_failing_trial_stops_the_others_soon() -> None:
     with pytest.raises(StrategyError, match="broke its contract"):
         acoexp.solve_many(algo="aco", choice=Restless(), seeds=range(10**5), threads=2, **CORNER)
     assert time.perf_counter() - began < 60.0, "a hundred thousand trials would take longer"
-
-
-SLOW_TRIAL = """
-import acoexp, time
-acoexp.solve("fig13", "aco", iterations=1)
-print("ready", flush=True)
-acoexp.solve("fig13", "aco", iterations=1_000_000, ants=50)
-"""
-
-
-@pytest.mark.slow_without_jit
-def test_a_long_trial_can_be_interrupted() -> None:
-    process = subprocess.Popen([sys.executable, "-c", SLOW_TRIAL], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    assert process.stdout is not None
-    assert process.stdout.readline() == b"ready\n"
-    time.sleep(0.5)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=20)
-    assert b"KeyboardInterrupt" in errors
 
 
 @compiled

@@ -16,6 +16,7 @@ from omegaconf import DictConfig, ListConfig, OmegaConf
 
 from acoexp.command.handover import Handover
 from acoexp.command.job import Job
+from acoexp.command.options.quoting import hydra_text, literal
 from acoexp.command.options.sources import remember_options
 from acoexp.command.results.contents import found_record
 from acoexp.tracking.setup import Found
@@ -154,9 +155,8 @@ def first_number(folder: Path) -> int:
 def fix_folder(config: DictConfig) -> Path:
     """Name a sweep's folder absolutely, for jobs that are composed elsewhere too; return it."""
     folder = Path(config.hydra.sweep.dir).absolute()
-    config.hydra.sweep.dir = str(folder)
-    quoted = str(folder).replace("'", r"\'")
-    config.hydra.overrides.hydra.append(f"hydra.sweep.dir='{quoted}'")
+    config.hydra.sweep.dir = literal(str(folder))
+    config.hydra.overrides.hydra.append(f"hydra.sweep.dir={hydra_text(str(folder))}")
     return folder
 
 
