@@ -30,6 +30,8 @@ log = logging.getLogger(__name__)
 
 _LOOK_UP = 50
 """Runs that are loaded in about the time in which one of a hundred thousand is looked up."""
+_FEW = 10
+"""Runs that are looked up one by one, however many others there are."""
 _LONGEST_NAME = 250
 _FINISHED = "attributes.status = 'FINISHED'"
 ARCHIVES = "trials"
@@ -111,10 +113,11 @@ class MlflowTracker:
 
     def _finished(self, configuration_id: str, identities: Collection[str]) -> list[Run]:
         """Return finished runs of a configuration: all, or those of the identities, whichever is less work."""
-        few = _LOOK_UP * len(identities)
-        runs = self._search(f"tags.{CONFIGURATION} = '{configuration_id}' and {_FINISHED}", few)
-        if len(runs) <= few:
-            return runs
+        if len(identities) > _FEW:
+            as_quick = _LOOK_UP * len(identities)
+            runs = self._search(f"tags.{CONFIGURATION} = '{configuration_id}' and {_FINISHED}", as_quick)
+            if len(runs) <= as_quick:
+                return runs
         of_each = (self._search(f"tags.{IDENTITY} = '{identity}' and {_FINISHED}") for identity in identities)
         return list(chain.from_iterable(of_each))
 
