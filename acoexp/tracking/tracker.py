@@ -56,6 +56,9 @@ class Tracker(Protocol):
     def has(self, identity: str) -> bool:
         """Tell whether there is a finished run of an identity."""
 
+    def has_all(self, identities: Collection[str]) -> bool:
+        """Tell whether a quick look, before the store is made ready, shows a finished run of each identity."""
+
     def find_trials(self, configuration_id: str, seeds: Seeds) -> Iterable[Trials]:
         """Yield trials of a configuration that were kept in batches, finished or not, each at most once."""
 
@@ -91,6 +94,10 @@ class NoTracker:
         return {}
 
     def has(self, identity: str) -> bool:
+        """Say no."""
+        return False
+
+    def has_all(self, identities: Collection[str]) -> bool:
         """Say no."""
         return False
 

@@ -115,3 +115,13 @@ def test_two_sweeps_at_once_leave_one_finished_run_for_each_trial(tmp_path: Path
     assert [process.returncode for process in both] == [0, 0], said
     assert sorted(int(run.data.params["seed"]) for run in runs_in(tmp_path)) == list(range(20))
     assert {run.info.status for run in runs_in(tmp_path)} == {"FINISHED"}
+
+
+def test_a_sweep_that_is_all_there_does_not_wait_for_mlflow(tmp_path: Path) -> None:
+    sweep = ("-m", "seed=0-2", *SMALL)
+    first = run_acoexp(*sweep, cwd=tmp_path)
+    again = run_acoexp(*sweep, cwd=tmp_path, env={"PYTHONPROFILEIMPORTTIME": "1"})
+    assert (first.returncode, again.returncode) == (0, 0)
+    assert "acoexp: 3 of 3 trials found in the store" in again.stderr
+    assert "acoexp.tracking.mlflow.lookup" in again.stderr
+    assert "mlflow.tracking\n" not in again.stderr

@@ -122,7 +122,7 @@ def test_a_run_that_cannot_be_brought_keeps_no_other_back(
 ) -> None:
     shutil.copytree(elsewhere.parent, tmp_path / "theirs")
     with closing(sqlite3.connect(tmp_path / "theirs" / "mlflow.db")) as database, database:
-        (run_id,) = database.execute("SELECT run_uuid FROM tags WHERE key = 'kind' AND value = 'trial'").fetchone()
+        (run_id,) = database.execute("SELECT run_uuid FROM runs WHERE status = 'FINISHED'").fetchone()
         database.execute("UPDATE params SET key = 'x/../../y' WHERE key = 'rho' AND run_uuid = ?", (run_id,))
     here = prepared(tmp_path / "mlflow.db")
     with pytest.raises(RefusedError, match=rf"^run {run_id} of sqlite:") as caught:

@@ -42,6 +42,7 @@ def test_what_it_was_given_it_has_not(tracker: NoTracker, tmp_path: Path) -> Non
     log.abandon("enough")
     assert not tracker.has(trial.identity)
     assert not tracker.has(setup.identity(SEEDS))
+    assert not tracker.has_all([trial.identity])
     assert list(tmp_path.iterdir()) == []
 
 

@@ -78,6 +78,12 @@ class Plan:
         self.where = ", ".join(self.trackers)
         self.has_reports = any(job.report is not None for job in self.jobs.values())
 
+    def is_kept(self) -> bool:
+        """Tell whether a quick look shows that every trial is in its store, which then need not be made ready."""
+        if not all(job.keys.resume and job.report is None for job in self.jobs.values()):
+            return False
+        return all(tracker.has_all(wanted) for (tracker, _), wanted in self._wanted().items())
+
     def prepare(self, folder: Path) -> None:
         """Make the stores ready, and hand over to the workers what they need of this machine.
 
@@ -119,13 +125,17 @@ class Plan:
 
     def _in_store(self) -> dict[str, Found]:
         """Return the finished runs of the sweep's jobs by their identity, where kept trials count."""
+        found = (tracker.find(configuration, some) for (tracker, configuration), some in self._wanted().items())
+        return {identity: run for runs in found for identity, run in runs.items()}
+
+    def _wanted(self) -> dict[tuple[Tracker, str], set[str]]:
+        """Return the identities that count if they are kept, by their tracker and configuration."""
         wanted: dict[tuple[Tracker, str], set[str]] = {}
         for _, job, seeds in self._each():
             if job.keys.resume and job.report is None:
                 setup = job.setup
                 wanted.setdefault((job.tracker, setup.configuration_id), set()).add(setup.identity(seeds))
-        found = (tracker.find(configuration, some) for (tracker, configuration), some in wanted.items())
-        return {identity: run for runs in found for identity, run in runs.items()}
+        return wanted
 
 
 def as_written(overrides: ListConfig) -> list[str]:

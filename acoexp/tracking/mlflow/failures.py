@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sqlite3
 from typing import NamedTuple
 
 from acoexp.tracking.mlflow.masking import masked
@@ -19,6 +20,7 @@ class _Known(NamedTuple):
 _KNOWN = (
     _Known("disk is full|No space left|quota exceeded", True, "make room there, then run the same command again"),
     _Known("readonly database|read-only|Permission denied", True, "let the database and its folder be writable"),
+    _Known("unable to open database", True, "has it been moved?"),
     _Known("malformed|not a database", True, "put a copy of an MLflow database there, or name another file"),
     _Known("database is locked|file lock", False, "another program holds it: let that end, then run this again"),
 )
@@ -39,6 +41,8 @@ def may_pass(problem: Exception) -> bool:
     if isinstance(problem, MlflowException):
         passing = ("TEMPORARILY_UNAVAILABLE", "INTERNAL_ERROR", "REQUEST_LIMIT_EXCEEDED", "BAD_REQUEST")
         return problem.error_code in passing and not lasts(problem)
+    if isinstance(problem, sqlite3.OperationalError):
+        return "locked" in str(problem)
     passing_kinds = RequestException | OperationalError | InterfaceError | ConnectionError | TimeoutError
     return isinstance(problem, passing_kinds) and not lasts(problem)
 

@@ -16,7 +16,7 @@ from glob import escape
 from pathlib import Path
 
 from acoexp.errors import TrackingError
-from acoexp.tracking.mlflow.database import BUSY
+from acoexp.tracking.mlflow.database import BUSY, reading
 
 
 def make_whole(file: Path, make: Callable[[Path], object]) -> None:
@@ -107,7 +107,7 @@ def _version(file: Path) -> str | None:
     """Return the version of MLflow's tables, as far as they were made."""
     if not _has(file, "sqlite_master WHERE name = 'alembic_version'"):
         return None
-    with closing(_reading(file)) as database:
+    with closing(reading(file)) as database:
         row = database.execute("SELECT version_num FROM alembic_version").fetchone()
     return None if row is None else str(row[0])
 
@@ -118,13 +118,8 @@ def _has_tables(file: Path) -> bool:
 
 
 def _has(file: Path, rows: str) -> bool:
-    with closing(_reading(file)) as database:
+    with closing(reading(file)) as database:
         return database.execute(f"SELECT 1 FROM {rows} LIMIT 1").fetchone() is not None
-
-
-def _reading(file: Path) -> sqlite3.Connection:
-    # not read-only: what a killed process was writing could not be rolled back then
-    return sqlite3.connect(f"{file.as_uri()}?mode=rw", uri=True, timeout=BUSY)
 
 
 def _drafts(file: Path) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from secrets import token_hex
 from typing import TYPE_CHECKING
 
+from acoexp.tracking.mlflow.lookup import LocalRun
 from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.owner import this_process
 from acoexp.tracking.mlflow.store import Store
@@ -142,7 +143,7 @@ class RunWriter:
                     self._store.client.delete_tag(run_id, REASON)
 
 
-def is_whole(run: Run) -> bool:
+def is_whole(run: Run | LocalRun) -> bool:
     """Tell whether a run is finished and has what its kind has; a person may have edited it since."""
     tags, metrics = run.data.tags, _METRICS.get(run.data.tags.get(KIND, ""))
     if run.info.status != "FINISHED" or metrics is None or not _DIGEST.fullmatch(tags.get(CONFIGURATION, "")):
@@ -150,7 +151,7 @@ def is_whole(run: Run) -> bool:
     return all(math.isfinite(run.data.metrics.get(name, math.nan)) for name in metrics)
 
 
-def keep_one(store: Store, finished: Sequence[Run]) -> Run:
+def keep_one(store: Store, finished: Sequence[Run | LocalRun]) -> Run | LocalRun:
     """Of the finished runs of one identity leave one, and return it: the newest that replaces, else the oldest.
 
     All who look agree on the one that stays, and whoever finishes last sees all of them.

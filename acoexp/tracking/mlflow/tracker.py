@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import sqlite3
 import tempfile
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 from acoexp.errors import SettingsError
 from acoexp.tracking.mlflow.content import batch_metrics, trial_metrics, versions
 from acoexp.tracking.mlflow.left_behind import close_left_behind
+from acoexp.tracking.mlflow.lookup import LocalRun, finished_runs
 from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.run import CONFIGURATION, IDENTITY, KIND, RunWriter, is_whole, keep_one
 from acoexp.tracking.mlflow.store import EXPERIMENT, open_store
@@ -57,14 +59,24 @@ class MlflowTracker:
 
     def find(self, configuration_id: str, identities: Collection[str]) -> dict[str, Found]:
         """Return the finished runs of a configuration that are of some identities, each under its own."""
-        same: dict[str, list[Run]] = {identity: [] for identity in identities}
-        for run in filter(is_whole, self._finished(configuration_id, identities)):
+        same: dict[str, list[Run | LocalRun]] = {identity: [] for identity in identities}
+        for run in filter(is_whole, self._finished(identities, configuration_id)):
             same.get(run.data.tags.get(IDENTITY, ""), []).append(run)
         return {identity: self._found(runs) for identity, runs in same.items() if runs}
 
     def has(self, identity: str) -> bool:
         """Tell whether there is a finished run of an identity."""
-        return any(map(is_whole, self._search(f"tags.{IDENTITY} = '{identity}' and {_FINISHED}")))
+        return any(map(is_whole, self._finished([identity])))
+
+    def has_all(self, identities: Collection[str]) -> bool:
+        """Tell whether a look into a local database shows a finished run of each identity; never that it fails."""
+        try:
+            runs = (
+                [] if self.store.file is None else finished_runs(self.store.file, EXPERIMENT, IDENTITY, identities)
+            )
+        except sqlite3.Error:
+            return False
+        return {run.data.tags[IDENTITY] for run in runs if is_whole(run)} >= {*identities}
 
     def find_trials(self, configuration_id: str, seeds: Seeds) -> Iterator[Trials]:
         """Yield trials of a configuration that were kept in batches, finished or not, each at most once."""
@@ -111,8 +123,16 @@ class MlflowTracker:
         writer.begin()
         return BatchRun(writer, setup.grid.optimum)
 
-    def _finished(self, configuration_id: str, identities: Collection[str]) -> list[Run]:
-        """Return finished runs of a configuration: all, or those of the identities, whichever is less work."""
+    def _finished(
+        self, identities: Collection[str], configuration_id: str | None = None
+    ) -> Sequence[Run | LocalRun]:
+        """Return finished runs, those of some identities among them; of a server all of their configuration, if
+        these are many and that is less work."""
+        file = self.store.file
+        if file is not None:
+            return self.store.with_retries(
+                lambda: finished_runs(file, EXPERIMENT, IDENTITY, identities), "cannot be searched"
+            )
         if len(identities) > _FEW:
             as_quick = _LOOK_UP * len(identities)
             runs = self._search(f"tags.{CONFIGURATION} = '{configuration_id}' and {_FINISHED}", as_quick)
@@ -124,7 +144,7 @@ class MlflowTracker:
     def _search(self, condition: str, at_most: int | None = None) -> list[Run]:
         return self.store.with_retries(lambda: self.store.search(condition, at_most), "cannot be searched")
 
-    def _found(self, runs: Sequence[Run]) -> Found:
+    def _found(self, runs: Sequence[Run | LocalRun]) -> Found:
         """Return the one run of an identity; a process killed right after it finished one may have left two."""
         run = self.store.with_retries(lambda: keep_one(self.store, runs), "cannot be searched")
         metrics = run.data.metrics

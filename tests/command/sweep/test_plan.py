@@ -112,6 +112,9 @@ class Store(NoTracker):
         runs = self.runs.get(configuration_id, {})
         return {identity: run for identity, run in runs.items() if identity in identities}
 
+    def has_all(self, identities: Collection[str]) -> bool:
+        return {identity for runs in self.runs.values() for identity in runs} >= {*identities}
+
 
 @pytest.fixture
 def planned(composed: Composed, handover: Handover) -> Callable[..., Plan]:
@@ -179,6 +182,28 @@ def test_what_the_store_has_is_left_out_and_its_record_is_there(
     ]  # fmt: skip
     assert [(record["seed"], record["l1"]) for record in left.known] == [(1, 35.0)]
     assert (left.found, left.trials, left.repeated) == (1, 4, 0)
+
+
+@pytest.mark.parametrize(
+    ("overrides", "kept"),
+    [
+        (["seed=0,1"], True),
+        (["seed=0,1,2"], False),
+        (["algo=aco,pd", "seed=0,1"], False),
+        (["seed=0,1", "resume=false"], False),
+        (["report=compare", "report.trials=2"], False),
+    ],
+)
+def test_a_quick_look_shows_whether_all_is_kept(
+    overrides: list[str], kept: bool, planned: Callable[..., Plan], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = Store()
+    monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: store)
+    plan = planned("algo=aco", *overrides, *QUICK)
+    setup = next(iter(plan.jobs.values())).setup
+    store.runs[setup.configuration_id] = {setup.identity(seed): Found("trial", 1, {}) for seed in (0, 1)}
+    assert plan.is_kept() is kept
+    assert store.prepared == 0
 
 
 def test_without_resuming_nothing_is_left_out(

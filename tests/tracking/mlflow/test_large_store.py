@@ -86,20 +86,35 @@ def trial(seed: int) -> Trial:
     return Trial(SETUP, Solver(SETUP.grid, SETUP.settings).solve(seed))
 
 
+@pytest.fixture
+def served(large: MlflowTracker, monkeypatch: pytest.MonkeyPatch) -> MlflowTracker:
+    """Return the tracker, asking MLflow as it does a server's."""
+    monkeypatch.setattr(large.store, "file", None)
+    return large
+
+
+def test_trials_are_found_without_loading_any(large: MlflowTracker, loaded: list[int]) -> None:
+    wanted = {SETUP.identity(seed) for seed in (*range(OF_ONE - 10, OF_ONE), 2_500, 2_501)}
+    assert len(large.find(SETUP.configuration_id, wanted)) == 10
+    assert not large.has_all(wanted)
+    assert large.has_all({SETUP.identity(seed) for seed in range(OF_ONE)})
+    assert loaded == []
+
+
 def test_a_few_trials_are_found_without_loading_all_of_their_configuration(
-    large: MlflowTracker, loaded: list[int]
+    served: MlflowTracker, loaded: list[int]
 ) -> None:
     wanted = {SETUP.identity(seed) for seed in (0, 5, 2_499, 2_500, 2_501)}
-    found = large.find(SETUP.configuration_id, wanted)
+    found = served.find(SETUP.configuration_id, wanted)
     assert found.keys() == {SETUP.identity(seed) for seed in (0, 5, 2_499)}
     assert sum(loaded) == 3
 
 
 def test_many_trials_are_found_by_loading_their_configuration_once(
-    large: MlflowTracker, loaded: list[int]
+    served: MlflowTracker, loaded: list[int]
 ) -> None:
     wanted = {SETUP.identity(seed) for seed in range(0, OF_ONE, 10)}
-    assert large.find(SETUP.configuration_id, wanted).keys() == wanted
+    assert served.find(SETUP.configuration_id, wanted).keys() == wanted
     assert (sum(loaded), len(loaded)) == (OF_ONE, 3)
 
 

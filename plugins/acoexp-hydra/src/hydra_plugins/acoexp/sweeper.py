@@ -59,7 +59,9 @@ class AcoexpSweeper(Sweeper):
         overrides = OverridesParser.create(config_loader=self.loader).parse_overrides(texts)
         plan = Plan(self.config, self.loader, overrides)
         folder = fix_folder(self.config)
-        plan.prepare(folder)
+        if not plan.is_kept():
+            plan.prepare(folder)
+        folder.mkdir(parents=True, exist_ok=True)
         address = str(OmegaConf.select(self.config, "tracking.uri", default=""))
         write_whole(folder / "multirun.yaml", masked(OmegaConf.to_yaml(self.config), address))
         left = plan.leave_out_known()

@@ -1,0 +1,68 @@
+"""Finished runs of a local database, read from its tables: MLflow takes seconds to import, and two milliseconds to
+load a run.
+
+As in ``moving``, this is SQL over MLflow's own tables, and a test holds it against what MLflow itself finds.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Collection
+from contextlib import closing
+from pathlib import Path
+from typing import NamedTuple
+
+from acoexp.tracking.mlflow.database import reading
+
+_RUNS = """
+SELECT runs.run_uuid, runs.start_time
+FROM tags JOIN runs USING (run_uuid) JOIN experiments USING (experiment_id)
+WHERE tags.key = ? AND tags.value IN (SELECT value FROM json_each(?))
+  AND experiments.name = ? AND experiments.lifecycle_stage = 'active'
+  AND runs.lifecycle_stage = 'active' AND runs.status = 'FINISHED'
+ORDER BY runs.start_time
+"""
+_TAGS = "SELECT run_uuid, key, value FROM tags WHERE run_uuid IN (SELECT value FROM json_each(?))"
+_METRICS = (
+    "SELECT run_uuid, key, value, is_nan FROM latest_metrics WHERE run_uuid IN (SELECT value FROM json_each(?))"
+)
+
+
+class LocalInfo(NamedTuple):
+    """What is known of a run, by MLflow's names."""
+
+    run_id: str
+    start_time: int
+    status: str = "FINISHED"
+
+
+class LocalData(NamedTuple):
+    """What a run says, by MLflow's names."""
+
+    tags: dict[str, str]
+    metrics: dict[str, float]
+
+
+class LocalRun(NamedTuple):
+    """A finished run, in the shape of MLflow's own."""
+
+    info: LocalInfo
+    data: LocalData
+
+
+def finished_runs(file: Path, experiment: str, tag: str, values: Collection[str]) -> list[LocalRun]:
+    """Return the finished runs of an experiment whose tag has one of some values, the oldest first.
+
+    Raises:
+        sqlite3.Error: if the database is not there, is none of MLflow's, or is locked.
+    """
+    with closing(reading(file)) as database:
+        found = database.execute(_RUNS, (tag, json.dumps([*values]), experiment)).fetchall()
+        runs = {run_id: LocalRun(LocalInfo(run_id, start), LocalData({}, {})) for run_id, start in found}
+        ids = json.dumps([*runs])
+        for run_id, key, value in database.execute(_TAGS, (ids,)):
+            runs[run_id].data.tags[key] = value
+        for run_id, key, value, is_nan in database.execute(_METRICS, (ids,)):
+            runs[run_id].data.metrics[key] = math.nan if is_nan else value
+    return [*runs.values()]

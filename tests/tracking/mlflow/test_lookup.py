@@ -1,0 +1,88 @@
+"""Looking up in a local database: what is found is what MLflow itself finds, and reads in the same way."""
+
+from __future__ import annotations
+
+import math
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+from mlflow.entities import Run
+
+from acoexp.tracking.mlflow.lookup import LocalRun, finished_runs
+from acoexp.tracking.mlflow.store import EXPERIMENT, Store
+
+
+def kept(store: Store, identity: str, *, status: str = "FINISHED", **metrics: float) -> str:
+    """Keep a run; return its id."""
+    run = store.client.create_run(
+        store.experiment_id, tags={"identity": identity, "kind": "it's"}, run_name="a name"
+    )
+    for key, value in metrics.items():
+        for step in range(2):
+            store.client.log_metric(run.info.run_id, key, value + step, step=step)
+    store.client.set_terminated(run.info.run_id, status)
+    return str(run.info.run_id)
+
+
+def looked_up(store: Store, *identities: str) -> list[LocalRun]:
+    return finished_runs(store.file or Path(), EXPERIMENT, "identity", identities)
+
+
+def as_said(run: Run | LocalRun) -> tuple[object, ...]:
+    """Return what is compared of a run."""
+    metrics = {key: "nan" if math.isnan(value) else value for key, value in run.data.metrics.items()}
+    return run.info.run_id, run.info.start_time, run.info.status, metrics, dict(run.data.tags)
+
+
+def test_it_reads_of_each_run_what_mlflow_reads(store: Store) -> None:
+    wanted = ["a", "b's", 'c"', "d,e"]
+    for identity in [*wanted, "b's", "another"]:
+        kept(store, identity, optimum=30.5, odd=math.nan, large=math.inf, small=-math.inf, zero=-0.0)
+    by_mlflow = [run for identity in wanted for run in store.search(f"tags.identity = {quoted(identity)}")]
+    assert len(by_mlflow) == 5
+    assert sorted(map(as_said, looked_up(store, *wanted))) == sorted(map(as_said, by_mlflow))
+
+
+def quoted(text: str) -> str:
+    return f"'{text}'" if "'" not in text else f'"{text}"'
+
+
+def test_only_what_is_finished_and_not_deleted_is_found(store: Store, identity: str) -> None:
+    for status in ("FAILED", "KILLED", "RUNNING"):
+        kept(store, identity, status=status)
+    store.client.delete_run(kept(store, identity))
+    assert looked_up(store, identity) == []
+    run_id = kept(store, identity)
+    assert [run.info.run_id for run in looked_up(store, identity)] == [run_id]
+
+
+def test_nothing_of_another_experiment_or_a_deleted_one_is_found(fresh: str) -> None:
+    store = Store(fresh)
+    store.prepare()
+    kept(store, "mine")
+    other = store.client.create_experiment("another")
+    store.client.set_terminated(store.client.create_run(other, tags={"identity": "theirs"}).info.run_id)
+    assert [len(looked_up(store, identity)) for identity in ("mine", "theirs")] == [1, 0]
+    store.client.delete_experiment(store.experiment_id)
+    assert looked_up(store, "mine") == []
+
+
+def test_thousands_are_looked_up_at_once(store: Store, identity: str) -> None:
+    run_id = kept(store, identity)
+    found = looked_up(store, identity, *map("nothing {}".format, range(50_000)))
+    assert [run.info.run_id for run in found] == [run_id]
+
+
+def test_a_database_that_is_not_there_is_not_made(tmp_path: Path) -> None:
+    with pytest.raises(sqlite3.OperationalError):
+        finished_runs(tmp_path / "mlflow.db", EXPERIMENT, "identity", ["x"])
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_a_database_of_another_program_is_refused(tmp_path: Path) -> None:
+    with closing(sqlite3.connect(tmp_path / "other.db")) as database:
+        database.execute("CREATE TABLE tags (key, value)")
+    with pytest.raises(sqlite3.OperationalError, match="no such"):
+        finished_runs(tmp_path / "other.db", EXPERIMENT, "identity", ["x"])
