@@ -32,6 +32,8 @@ def whole_file(file: Path) -> Iterator[Path]:
     try:
         yield draft
         draft.replace(file)
+    except OSError as problem:
+        raise _naming(file, problem) from problem
     finally:
         draft.unlink(missing_ok=True)
 
@@ -52,8 +54,17 @@ def whole_folder(folder: Path, keep: Path | None = None) -> Iterator[Path]:
     try:
         yield draft
         _replace(folder, draft, keep)
+    except OSError as problem:
+        raise _naming(folder, problem) from problem
     finally:
         _remove(draft)
+
+
+def _naming(path: Path, problem: OSError) -> OSError:
+    """Return an error that names what was to be written, where the system names nothing: the disk is full."""
+    if problem.filename is not None or problem.errno is None:
+        return problem
+    return OSError(problem.errno, problem.strerror, str(path))
 
 
 def _replace(folder: Path, draft: Path, keep: Path | None) -> None:

@@ -71,6 +71,7 @@ def _existing(text: str) -> Store:
         raise TrackingError(f"expected an MLflow database to bring runs from; there is no file {store.file}")
     if store.file is not None and not _is_mlflows(store.file):
         raise TrackingError(f"expected an MLflow database to bring runs from; {store.file} is none")
+    store.check_there()
     return store
 
 

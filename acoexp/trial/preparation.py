@@ -58,6 +58,8 @@ class _Asked:
         """Ask a part for a number per move, float64[rows, cols, 8], and check it."""
         given = self._answer(group, method)
         problem = f"{self.settings.describe(group)}: expected {method} to return numbers"
+        if given is None:  # which NumPy would take for nan
+            raise StrategyError(f"{problem}; got None, which is what a function without a return gives")
         try:
             values = np.broadcast_to(np.asarray(given, dtype=np.float64), allowed.shape)
         except (TypeError, ValueError) as reason:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Sized
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from copy import copy
@@ -25,6 +24,7 @@ from acoexp.trial.preparation import prepare
 from acoexp.trial.result import Result
 from acoexp.trial.seeds import check_seed
 from acoexp.trial.settings import Settings
+from acoexp.trial.threads import check_threads
 from acoexp.trial.workspace import Workspace, new_record, new_workspace
 
 _loop = lru_cache(maxsize=None)(make_loop)
@@ -235,16 +235,3 @@ class Solver:
 
 def _moves(trails: Trails, row: int) -> NDArray[np.uint8]:
     return trails.moves[row, : trails.steps[row]].copy()
-
-
-def check_threads(threads: int | None) -> int:
-    """Return a number of threads; where none is given, one for each processor that this process may use.
-
-    Raises:
-        SettingsError: if it is no whole number from 1 up.
-    """
-    if threads is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
-        raise SettingsError(f"threads: expected a whole number, at least 1; got {threads!r}")
-    return int(threads)

@@ -6,12 +6,17 @@ import os
 import socket
 import subprocess
 import sys
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from errno import ENOSPC
 from pathlib import Path
 
 import pytest
 from running import listing
 
 from acoexp.console.whole import whole_file, whole_folder, write_whole
+
+Whole = Callable[[Path], AbstractContextManager[Path]]
 
 
 def test_a_file_takes_the_place_of_the_one_that_was_there(tmp_path: Path) -> None:
@@ -32,6 +37,13 @@ def test_an_error_while_a_file_is_written_leaves_the_old_one(problem: type[BaseE
         raise problem
     assert file.read_text("utf-8") == "old"
     assert listing(tmp_path) == {"record"}
+
+
+@pytest.mark.parametrize("whole", [whole_file, whole_folder])
+def test_a_disk_that_is_full_is_told_with_what_was_to_be_written(whole: Whole, tmp_path: Path) -> None:
+    with pytest.raises(OSError, match="No space") as caught, whole(tmp_path / "record"):
+        raise OSError(ENOSPC, "No space left on device")
+    assert caught.value.filename == str(tmp_path / "record")
 
 
 def test_an_error_while_the_first_file_is_written_leaves_none(tmp_path: Path) -> None:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import shutil
 import sqlite3
+import time
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
+from socket import socket
 
 import pytest
 from running import listing
 
 from acoexp.merge.__main__ import main
+from acoexp.tracking.mlflow.store import PATIENCE
 from acoexp.tracking.mlflow.tracker import MlflowTracker
 
 Prepared = Callable[[Path], MlflowTracker]
@@ -77,6 +80,24 @@ def test_a_store_that_is_not_there_is_refused_and_not_made(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert "expected" in refusal(source, capsys=capsys)
+    assert listing(tmp_path) == set()
+
+
+def test_a_server_that_is_not_there_is_told_soon_and_nothing_is_made(tmp_path: Path, capsys: Capture) -> None:
+    with socket() as nobody:  # bound, and not listening
+        nobody.bind(("127.0.0.1", 0))
+        address = f"http://me:secret@127.0.0.1:{nobody.getsockname()[1]}"
+        began = time.monotonic()
+        said = refusal(address, "--into", str(tmp_path / "mlflow.db"), capsys=capsys)
+    assert time.monotonic() - began < PATIENCE / 2
+    assert "cannot be opened" in said
+    assert "secret" not in said
+    assert listing(tmp_path) == set()
+
+
+def test_a_store_without_our_experiment_is_refused(blank: Path, tmp_path: Path, capsys: Capture) -> None:
+    said = refusal(str(blank), "--into", str(tmp_path / "mlflow.db"), capsys=capsys)
+    assert said.startswith("tracking.uri: no experiment 'acoexp' at sqlite:///")
     assert listing(tmp_path) == set()
 
 

@@ -132,6 +132,14 @@ def test_eta_of_another_shape_is_refused(eta: Any, came: str) -> None:
     assert refusal(heuristic=Answering(eta=eta)).startswith(said + came)
 
 
+@pytest.mark.parametrize(("group", "method"), [("heuristic", "eta"), ("update", "initial")])
+def test_a_return_that_was_forgotten_is_told(group: str, method: str) -> None:
+    assert refusal(**{group: Answering(**{method: None})}) == (
+        f"{group} 'mine': expected {method} to return numbers; got None, which is what a function without a "
+        "return gives"
+    )
+
+
 @pytest.mark.parametrize("odd", [-1.0, np.nan, np.inf])
 @pytest.mark.parametrize(("group", "method"), [("heuristic", "eta"), ("update", "initial")])
 def test_numbers_that_are_negative_or_not_finite_are_refused(group: str, method: str, odd: float) -> None:

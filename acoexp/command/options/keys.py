@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from acoexp.parameters import parameter
 from acoexp.trial.seeds import HIGHEST_SEED
+from acoexp.trial.threads import MOST_THREADS
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,6 +20,6 @@ class JobKeys:
         None, "instead, those of a batch, such as 0-999: one run with a table of its trials"
     )
     threads: int | None = parameter(
-        None, "threads that run a batch; one for each processor if null", minimum=1, maximum=4096
+        None, "threads that run a batch; one for each processor if null", minimum=1, maximum=MOST_THREADS
     )
     resume: bool = parameter(True, "whether what the store has of the same trials is taken from there")

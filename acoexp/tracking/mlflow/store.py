@@ -88,6 +88,15 @@ class Store:
                 if self.file is not None:
                     bring_artifacts_along(self.file, EXPERIMENT)
 
+    def check_there(self) -> None:
+        """Look once for the experiment, without waiting for a store that is away.
+
+        Raises:
+            TrackingError: if the store cannot be reached, or has no such experiment.
+        """
+        with self._reporting("cannot be opened"):
+            _ = self.experiment_id
+
     def with_retries(self, action: Callable[[], _T], what: str) -> _T:
         """Do something with the store, again and again while it is away.
 
