@@ -19,7 +19,7 @@ from acoexp.colony.state import Colony, Trails
 from acoexp.parameters import fields_of
 
 ROOT = Path(__file__).parents[2]
-# docs/engines.md needs clusters and databases: tests/engines/test_page.py runs it
+# docs/engines.md needs clusters and databases: tests/end_to_end/engines/test_page.py runs it
 PAGES = [ROOT / "README.md", *sorted({*(ROOT / "docs").glob("*.md")} - {ROOT / "docs" / "engines.md"})]
 BLOCK = re.compile(r"^```(bash|python)\n(.*?)^```$", re.M | re.S)
 
@@ -49,6 +49,12 @@ def test_every_block_runs(page: Path, as_a_reader: Path) -> None:
         command = ["bash", "-euo", "pipefail", "-c", text] if language == "bash" else [sys.executable, "-c", text]
         done = subprocess.run(command, cwd=as_a_reader, capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, f"{text}\n{done.stderr}"
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))], ids=lambda p: p.name)
+def test_the_files_that_a_page_names_are_there(page: Path) -> None:
+    named = re.findall(r"`((?:acoexp|conf|docs|plugins|tests)/[\w./*-]+)`", page.read_text(encoding="utf-8"))
+    assert [name for name in named if not any(ROOT.glob(name))] == []
 
 
 def test_the_readme_begins_with_the_two_commands() -> None:
