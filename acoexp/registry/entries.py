@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import EntryPoint, distributions, entry_points
+from pathlib import Path
 
 from acoexp.errors import did_you_mean, shown
 from acoexp.strategies.groups import STRATEGY_GROUPS
@@ -49,6 +51,8 @@ def not_found(group: str, name: object, known: Iterable[str]) -> str:
     said = f"{group}: expected one of: {', '.join(known)}; got {shown(name)}"
     if not isinstance(name, str):
         return said
+    if group == "map" and re.fullmatch(r"[\w./-]+", name) and Path(name).is_file():
+        return f"{said}; for a file: map=file map.path={name}"
     others = [other for other in GROUPS if other != group and name in entries(other)]
     if others:
         return f"{said}; there is {' and '.join(f'{other}={name}' for other in others)}"

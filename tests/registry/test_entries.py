@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib.metadata import EntryPoint, version
+from pathlib import Path
 
 import pytest
 
@@ -112,6 +113,15 @@ def test_a_part_in_a_group_that_does_not_exist_is_told_of_where_it_is_missed(ins
     )
     assert [said for entry, said in misplaced_entries() if entry.name == "breeze"] == [told]
     assert not_found("diffusion", "breeze", ["none"]).endswith(f"got 'breeze'; {told}")
+
+
+def test_a_map_that_is_a_file_is_told_how_to_be_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert "map.path" not in not_found("map", "my_map.txt", ["file"])
+    for name in ("my_map.txt", "a map"):
+        (tmp_path / name).touch()
+    assert not_found("map", "my_map.txt", ["file"]).endswith("; for a file: map=file map.path=my_map.txt")
+    assert "map.path" not in not_found("map", "a map", ["file"])  # which needs quotes
 
 
 def test_groups_of_other_programs_are_nobodys_business(install_package: Install) -> None:

@@ -102,6 +102,8 @@ class MlflowTracker:
             TrackingError: if the store does not take it; the run is then marked as failed.
         """
         if resume and self.has(trial.identity):
+            what = f"{trial.setup.settings.label} on {trial.setup.grid.name}, seed {trial.result.seed}"
+            log.info("%s: found in the store, which keeps one run of it", what)
             return
         writer = self._writer(trial.setup, "seed", trial.result.seed, resume)
         try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import logging
 from pathlib import Path
 from typing import Any
 
@@ -88,11 +89,14 @@ def test_where_no_ant_ever_arrived_the_run_is_finished_all_the_same(tracker: Mlf
 
 
 def test_the_same_trial_is_kept_once_unless_it_is_to_take_the_place_of_the_one_before(
-    tracker: MlflowTracker,
+    tracker: MlflowTracker, caplog: pytest.LogCaptureFixture
 ) -> None:
+    caplog.set_level(logging.INFO, "acoexp.tracking")
     one = trial(setup(0.04))
-    for _ in range(2):
-        tracker.log(one)
+    tracker.log(one)
+    assert caplog.messages == []
+    tracker.log(one)
+    assert caplog.messages == ["aco on yard, seed 0: found in the store, which keeps one run of it"]
     (run,) = runs_of(tracker, one.setup)
     tracker.log(one, resume=False)
     (newer,) = runs_of(tracker, one.setup)
