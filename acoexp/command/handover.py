@@ -20,7 +20,9 @@ from typing import Any
 import numpy as np
 from hydra.core.singleton import Singleton
 
+from acoexp.command.results.records import BATCH, TRIAL
 from acoexp.console.whole import write_whole
+from acoexp.errors import SettingsError
 from acoexp.grid.grid import Grid
 
 
@@ -61,9 +63,16 @@ class Handover(metaclass=Singleton):
         return _unpacked(file, file.stat().st_mtime_ns)
 
     def own_folder(self, folder: Path) -> Path:
-        """Return a job's folder; one within it for every further job of a sweep whose pattern leads there too."""
+        """Return a job's folder; one within it for every further job of a sweep whose pattern leads there too.
+
+        Raises:
+            SettingsError: if it lies outside of the sweep's, which would not find there what the job leaves.
+        """
         if self.folder is None:
             return folder
+        if not folder.resolve().is_relative_to(self.folder.parent.resolve()):
+            sweep = self.folder.parent
+            raise SettingsError(f"hydra.sweep.subdir: expected a folder within {sweep}; got {folder}")
         for number in count(1):
             claim = hashlib.sha256(f"{self._sweep} {folder.absolute()} {number}".encode()).hexdigest()[:16]
             try:
@@ -71,6 +80,8 @@ class Handover(metaclass=Singleton):
             except FileExistsError:
                 continue
             own = folder if number == 1 else folder / str(number)
+            if (own / TRIAL).exists() or (own / BATCH).exists():  # of an earlier sweep
+                continue
             own.mkdir(parents=True, exist_ok=True)
             return own
         raise AssertionError

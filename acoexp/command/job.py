@@ -53,15 +53,15 @@ def run_job(config: DictConfig) -> float:
     """Run what a configuration describes; see :meth:`Job.run`.
 
     Raises:
-        AcoexpError: for whatever went wrong with a job of a sweep; a single one ends the program, as Hydra would
-            print a line of its own.
+        AcoexpError, OSError: for whatever went wrong with a job of a sweep; a single one ends the program, as
+            Hydra would print a line of its own.
     """
     handover = Handover()
     with handover.in_parent_folder():  # files and stores are named from there, also under hydra.job.chdir
         run = handover.ready or Job(config, handover).run
         try:
             return run()
-        except AcoexpError as problem:
+        except (AcoexpError, OSError) as problem:
             alone = HydraConfig.get().mode == RunMode.RUN
             if not (alone or isinstance(problem, StoreGoneError)):  # no further job could be kept then either
                 raise
@@ -104,9 +104,9 @@ class Job:
         """
         hydra = HydraConfig.get()
         alone = hydra.mode == RunMode.RUN
-        folder = (
-            Path(hydra.runtime.output_dir) if alone else self._handover.own_folder(Path(hydra.runtime.output_dir))
-        )
+        folder = Path(hydra.runtime.output_dir)
+        if not alone:
+            folder = self._handover.own_folder(folder)
         try:
             return self._run_in(folder, alone)
         except AcoexpError as problem:

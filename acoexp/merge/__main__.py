@@ -15,6 +15,7 @@ from acoexp.console.ending import ends_cleanly, print_error
 from acoexp.errors import TrackingError
 from acoexp.merge.copying import RefusedError, merge
 from acoexp.parameters import defaults_of
+from acoexp.tracking.mlflow.database import address_of
 from acoexp.tracking.mlflow.store import Store
 from acoexp.tracking.mlflow.tracker import MlflowTracker
 from acoexp.tracking.open import check_uri
@@ -86,7 +87,7 @@ def _is_mlflows(file: Path) -> bool:
 
 def _address(text: str) -> str:
     """Return the address of a store that is named by it, or by its database file."""
-    return check_uri(text if "://" in text else f"sqlite:///{Path(text).absolute()}")
+    return check_uri(text if "://" in text else address_of(Path(text)))
 
 
 if __name__ == "__main__":

@@ -37,5 +37,5 @@ def _reason(job: JobReturn) -> str:
     try:
         with redirect_stderr(StringIO()):  # Hydra would print a line of its own
             return str(job.return_value)
-    except (AcoexpError, OmegaConfBaseException) as problem:
+    except (AcoexpError, OmegaConfBaseException, OSError) as problem:
         return in_one_line(problem)

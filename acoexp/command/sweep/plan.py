@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from fcntl import LOCK_EX, LOCK_NB, flock
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple, cast
@@ -19,6 +22,7 @@ from acoexp.command.job import Job
 from acoexp.command.options.quoting import hydra_text, literal
 from acoexp.command.options.sources import remember_options
 from acoexp.command.results.contents import found_record
+from acoexp.errors import SettingsError
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import Tracker
 from acoexp.trial.seeds import Seeds, check_seed
@@ -99,10 +103,10 @@ class Plan:
 
     def leave_out_known(self) -> Left:
         """Return what is not in the store yet, and the records of what is."""
-        left, seen = Left([], [], 0, 0, 0), set[str]()
+        left, seen = Left([], [], 0, 0, 0), set[tuple[Tracker, str]]()
         in_store = self._in_store()
         for overrides, job, seeds in self._each():
-            identity = job.setup.identity(seeds)
+            identity = job.tracker, job.setup.identity(seeds)
             if job.report is None and identity in seen:
                 left = left._replace(repeated=left.repeated + 1)
                 continue
@@ -123,10 +127,13 @@ class Plan:
             seed = next((int(text.partition("=")[2]) for text in overrides if _is_seed(text)), job.keys.seed)
             yield overrides, job, seed if job.seeds is None else job.seeds
 
-    def _in_store(self) -> dict[str, Found]:
-        """Return the finished runs of the sweep's jobs by their identity, where kept trials count."""
-        found = (tracker.find(configuration, some) for (tracker, configuration), some in self._wanted().items())
-        return {identity: run for runs in found for identity, run in runs.items()}
+    def _in_store(self) -> dict[tuple[Tracker, str], Found]:
+        """Return the finished runs of the sweep's jobs by their store and identity, where kept trials count."""
+        return {
+            (tracker, identity): run
+            for (tracker, configuration), wanted in self._wanted().items()
+            for identity, run in tracker.find(configuration, wanted).items()
+        }
 
     def _wanted(self) -> dict[tuple[Tracker, str], set[str]]:
         """Return the identities that count if they are kept, by their tracker and configuration."""
@@ -154,6 +161,27 @@ def combinations(overrides: Iterable[Override]) -> list[Overrides]:
         key = override.get_key_element()
         values[key] = [f"{key}={value}" for value in _values(override)]
     return [list(combination) for combination in product(*values.values())]
+
+
+@contextmanager
+def only_sweep_in(folder: Path) -> Iterator[None]:
+    """Keep other sweeps of this machine out of a folder while this one runs: each would count the other's jobs.
+
+    Raises:
+        SettingsError: if another runs there.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        flock(handle, LOCK_EX | LOCK_NB)
+    except BlockingIOError as problem:
+        os.close(handle)
+        said = f"hydra.sweep.dir: expected a folder in which no other sweep runs; got {folder}"
+        raise SettingsError(said) from problem
+    try:
+        yield
+    finally:
+        os.close(handle)
 
 
 def first_number(folder: Path) -> int:

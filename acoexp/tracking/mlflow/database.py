@@ -1,4 +1,4 @@
-"""How SQLite databases are opened by us, beside MLflow."""
+"""SQLite databases: the address of one, and how they are opened by us, beside MLflow."""
 
 from __future__ import annotations
 
@@ -7,6 +7,11 @@ from pathlib import Path
 
 BUSY = 10.0
 """Seconds for which a database may be locked by another program before it is made ready."""
+
+
+def address_of(file: Path, scheme: str = "sqlite:///") -> str:
+    """Return the address of a database file, in which signs of an address's own are percent-encoded."""
+    return scheme + str(file.absolute()).replace("%", "%25").replace("?", "%3F")
 
 
 def reading(file: Path) -> sqlite3.Connection:

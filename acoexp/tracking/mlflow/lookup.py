@@ -59,10 +59,11 @@ def finished_runs(file: Path, experiment: str, tag: str, values: Collection[str]
     """
     with closing(reading(file)) as database:
         found = database.execute(_RUNS, (tag, json.dumps([*values]), experiment)).fetchall()
-        runs = {run_id: LocalRun(LocalInfo(run_id, start), LocalData({}, {})) for run_id, start in found}
+        runs = {run_id: LocalRun(LocalInfo(run_id, start or 0), LocalData({}, {})) for run_id, start in found}
         ids = json.dumps([*runs])
         for run_id, key, value in database.execute(_TAGS, (ids,)):
             runs[run_id].data.tags[key] = value
         for run_id, key, value, is_nan in database.execute(_METRICS, (ids,)):
-            runs[run_id].data.metrics[key] = math.nan if is_nan else value
+            number = isinstance(value, int | float) and not is_nan  # a person may have written a text there
+            runs[run_id].data.metrics[key] = float(value) if number else math.nan
     return [*runs.values()]

@@ -14,9 +14,10 @@ from collections.abc import Callable
 from contextlib import closing
 from glob import escape
 from pathlib import Path
+from shlex import quote
 
 from acoexp.errors import TrackingError
-from acoexp.tracking.mlflow.database import BUSY, reading
+from acoexp.tracking.mlflow.database import BUSY, address_of, reading
 
 
 def make_whole(file: Path, make: Callable[[Path], object]) -> None:
@@ -93,7 +94,8 @@ def _fault_of(file: Path) -> str | None:
         script.get_revision(version or "base")
     except CommandError:
         return "was written by a newer MLflow; install that: pip install --upgrade mlflow"
-    return f"was written by an older MLflow; keep a copy of it, then run: mlflow db upgrade 'sqlite:///{file}'"
+    upgrade = f"mlflow db upgrade {quote(address_of(file))}"
+    return f"was written by an older MLflow; keep a copy of it, then run: {upgrade}"
 
 
 def _migrations() -> Path:

@@ -12,7 +12,7 @@ from contextlib import closing
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from acoexp.tracking.mlflow.database import BUSY
+from acoexp.tracking.mlflow.database import BUSY, reading
 
 log = logging.getLogger(__name__)
 
@@ -34,13 +34,30 @@ def bring_artifacts_along(file: Path, experiment: str) -> None:
     """
     beside = file.parent / ARTIFACTS
     with closing(sqlite3.connect(file, timeout=BUSY)) as database:
-        row = database.execute(
-            "SELECT experiment_id, artifact_location FROM experiments WHERE name = ?", (experiment,)
-        ).fetchone()
+        row = _place_of(database, experiment)
         if row is not None and _was_beside(file, row[1], beside):
             with database:
                 _rename(database, row[0], row[1], beside.as_uri())
             log.warning("%s was moved or copied: its artifacts are now those in %s", file, beside)
+
+
+def is_away(file: Path, experiment: str) -> bool:
+    """Tell whether a database was moved or copied since its artifacts were last brought along.
+
+    Raises:
+        sqlite3.Error: if the database cannot be read.
+    """
+    with closing(reading(file)) as database:
+        row = _place_of(database, experiment)
+    return row is not None and _was_beside(file, row[1], file.parent / ARTIFACTS)
+
+
+def _place_of(database: sqlite3.Connection, experiment: str) -> tuple[int, str] | None:
+    """Return an experiment's number, and the place of its artifacts; None if there is no such experiment."""
+    row: tuple[int, str] | None = database.execute(
+        "SELECT experiment_id, artifact_location FROM experiments WHERE name = ?", (experiment,)
+    ).fetchone()
+    return row
 
 
 def _rename(database: sqlite3.Connection, experiment_id: int, old: str, new: str) -> None:

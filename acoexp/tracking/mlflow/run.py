@@ -35,8 +35,12 @@ REPLACES = "anew"
 """Tag of a run that takes the place of what is there: when it began, in milliseconds."""
 REASON = "reason"
 """Tag: why the run has failed."""
-_METRICS = {"trial": ("optimum", "lost_ants"), "batch": ("trials", "never_arrived", "success_rate")}
-"""Metrics that every finished run of a kind has."""
+_MANY = 1e15
+_METRICS = {
+    "trial": {"optimum": (0.0, _MANY), "lost_ants": (0.0, _MANY)},
+    "batch": {"trials": (1.0, _MANY), "never_arrived": (0.0, _MANY), "success_rate": (0.0, 1.0)},
+}
+"""Metrics that every finished run of a kind has, each with its least and its largest value."""
 _DIGEST = re.compile("[0-9a-f]{16,64}")
 
 
@@ -148,7 +152,8 @@ def is_whole(run: Run | LocalRun) -> bool:
     tags, metrics = run.data.tags, _METRICS.get(run.data.tags.get(KIND, ""))
     if run.info.status != "FINISHED" or metrics is None or not _DIGEST.fullmatch(tags.get(CONFIGURATION, "")):
         return False
-    return all(math.isfinite(run.data.metrics.get(name, math.nan)) for name in metrics)
+    said = run.data.metrics
+    return all(least <= said.get(name, math.nan) <= most for name, (least, most) in metrics.items())
 
 
 def keep_one(store: Store, finished: Sequence[Run | LocalRun]) -> Run | LocalRun:
@@ -156,7 +161,7 @@ def keep_one(store: Store, finished: Sequence[Run | LocalRun]) -> Run | LocalRun
 
     All who look agree on the one that stays, and whoever finishes last sees all of them.
     """
-    stays = max(finished, key=lambda r: (r.data.tags.get(REPLACES, ""), -r.info.start_time, r.info.run_id))
+    stays = max(finished, key=lambda r: (r.data.tags.get(REPLACES, ""), -(r.info.start_time or 0), r.info.run_id))
     for run in finished:
         if run is not stays:
             _delete(store, run.info.run_id)

@@ -15,10 +15,12 @@ from functools import cache, cached_property
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
+from urllib.parse import unquote
 
 from filelock import FileLock
 
 from acoexp.errors import StoreGoneError, TrackingError
+from acoexp.tracking.mlflow.database import address_of
 from acoexp.tracking.mlflow.failures import lasts, may_pass, reason_of
 from acoexp.tracking.mlflow.making import check_openable, check_writable, make_whole
 from acoexp.tracking.mlflow.masking import masked
@@ -62,8 +64,9 @@ class Store:
 
     def __init__(self, uri: str) -> None:
         sqlite = _SQLITE.fullmatch(uri)
-        self.file = None if sqlite is None else Path(sqlite[2]).absolute()
-        self.uri = uri if sqlite is None else f"{sqlite[1]}{self.file}{sqlite[3]}"
+        self.file = None if sqlite is None else Path(unquote(sqlite[2])).absolute()
+        self._scheme, self._query = ("", "") if sqlite is None else (sqlite[1], sqlite[3])
+        self.uri = uri if self.file is None else f"{address_of(self.file, self._scheme)}{self._query}"
         self.folder = None if self.file is None else self.file.parent
         self.shown = masked(uri, uri)
         self._is_gone = False  # patience ran out once: nobody waits for it again
@@ -173,8 +176,7 @@ class Store:
 
     def _make(self, draft: Path) -> None:
         """Make this store in another file."""
-        before, _, after = self.uri.partition(str(self.file))
-        self._prepare_experiment(_client_for(f"{before}{draft}{after}"))
+        self._prepare_experiment(_client_for(f"{address_of(draft, self._scheme)}{self._query}"))
 
     def _prepare_experiment(self, client: MlflowClient) -> None:
         experiment = client.get_experiment_by_name(EXPERIMENT)
@@ -234,11 +236,14 @@ def open_store(uri: str) -> Store:
 
 
 def _client_for(uri: str) -> MlflowClient:
-    """Return MLflow's client for an address; MLflow says nothing but what is raised."""
+    """Return MLflow's client for an address; MLflow says nothing but what is raised.
+
+    SQLite's driver is named, as MLflow would else make a folder of the name that is percent-encoded in the address.
+    """
     for key, value in _MLFLOW_SETTINGS.items():
         os.environ.setdefault(key, value)
     from mlflow import MlflowClient
 
     for name, level in _QUIET.items():  # after the import, which sets them
         logging.getLogger(name).setLevel(level)
-    return MlflowClient(uri)
+    return MlflowClient(re.sub("^sqlite:", "sqlite+pysqlite:", uri))

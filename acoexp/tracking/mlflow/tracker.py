@@ -18,6 +18,7 @@ from acoexp.tracking.mlflow.content import batch_metrics, trial_metrics, version
 from acoexp.tracking.mlflow.left_behind import close_left_behind
 from acoexp.tracking.mlflow.lookup import LocalRun, finished_runs
 from acoexp.tracking.mlflow.masking import masked
+from acoexp.tracking.mlflow.moving import is_away
 from acoexp.tracking.mlflow.run import CONFIGURATION, IDENTITY, KIND, RunWriter, is_whole, keep_one
 from acoexp.tracking.mlflow.store import EXPERIMENT, open_store
 from acoexp.tracking.setup import Found, Setup, Trial
@@ -69,12 +70,13 @@ class MlflowTracker:
         return any(map(is_whole, self._finished([identity])))
 
     def has_all(self, identities: Collection[str]) -> bool:
-        """Tell whether a look into a local database shows a finished run of each identity; never that it fails."""
+        """Tell whether a look into a local database that was not moved shows a finished run of each identity."""
+        file = self.store.file
         try:
-            runs = (
-                [] if self.store.file is None else finished_runs(self.store.file, EXPERIMENT, IDENTITY, identities)
-            )
-        except sqlite3.Error:
+            if file is None or is_away(file, EXPERIMENT):
+                return False
+            runs = finished_runs(file, EXPERIMENT, IDENTITY, identities)
+        except sqlite3.Error:  # whoever makes the store ready tells why
             return False
         return {run.data.tags[IDENTITY] for run in runs if is_whole(run)} >= {*identities}
 

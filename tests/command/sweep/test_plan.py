@@ -14,7 +14,7 @@ from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
 from acoexp.command.handover import Handover
-from acoexp.command.sweep.plan import Plan, as_written, combinations, first_number, fix_folder
+from acoexp.command.sweep.plan import Plan, as_written, combinations, first_number, fix_folder, only_sweep_in
 from acoexp.errors import SettingsError
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import NoTracker
@@ -229,6 +229,29 @@ def test_a_batch_is_as_many_trials_as_it_has_seeds(
     store.runs[job.setup.configuration_id] = {job.setup.identity(job.seeds): found}
     left = plan.leave_out_known()
     assert (len(left.missing), left.found, left.trials) == (1, 10, 20)
+
+
+def test_the_same_trial_in_two_stores_is_two(
+    planned: Callable[..., Plan], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stores = {uri: Store(uri) for uri in ("x", "y")}
+    monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: stores[config["uri"]])
+    plan = planned("tracking.uri=x,y", "seed=0", *QUICK[1:])
+    setup = next(iter(plan.jobs.values())).setup
+    stores["x"].runs[setup.configuration_id] = {setup.identity(0): Found("trial", 1, {"l1": 35.0})}
+    left = plan.leave_out_known()
+    assert ([told[0] for told in left.missing], left.found, left.repeated) == (["tracking.uri=y"], 1, 0)
+
+
+def test_a_folder_is_one_sweeps_at_a_time(tmp_path: Path) -> None:
+    said = r"^hydra\.sweep\.dir: expected a folder in which no other sweep runs"
+    with only_sweep_in(tmp_path / "study"):
+        with pytest.raises(SettingsError, match=said), only_sweep_in(tmp_path / "study"):
+            pass
+        with only_sweep_in(tmp_path / "another"):
+            pass
+    with only_sweep_in(tmp_path / "study"):
+        assert [*(tmp_path / "study").iterdir()] == []
 
 
 def test_jobs_that_say_the_same_run_once(planned: Callable[..., Plan]) -> None:

@@ -58,6 +58,17 @@ def test_only_what_is_finished_and_not_deleted_is_found(store: Store, identity: 
     assert [run.info.run_id for run in looked_up(store, identity)] == [run_id]
 
 
+def test_what_a_person_wrote_in_a_numbers_place_is_none(store: Store, identity: str) -> None:
+    run_id = kept(store, identity, optimum=29.5, l1=31.0)
+    with closing(sqlite3.connect(store.file or "")) as database, database:
+        database.execute("UPDATE latest_metrics SET value = 'abc' WHERE key = 'l1' AND run_uuid = ?", (run_id,))
+        database.execute("UPDATE runs SET start_time = NULL WHERE run_uuid = ?", (run_id,))
+    (run,) = looked_up(store, identity)
+    assert math.isnan(run.data.metrics["l1"])
+    assert (run.data.metrics["optimum"], run.info.start_time) == (30.5, 0)
+    store.client.delete_run(run_id)
+
+
 def test_nothing_of_another_experiment_or_a_deleted_one_is_found(fresh: str) -> None:
     store = Store(fresh)
     store.prepare()

@@ -149,7 +149,7 @@ def test_a_store_that_an_older_version_left_half_made_is_to_be_deleted(database:
 def test_a_store_of_an_older_mlflow_is_to_be_upgraded_and_is_not_touched(database: Path) -> None:
     sql(database, f"UPDATE alembic_version SET version_num = '{HALF_MADE}'", "DROP TABLE jobs")
     before = database.read_bytes()
-    said = f"older MLflow; keep a copy of it, then run: mlflow db upgrade 'sqlite:///{database}'"
+    said = f"older MLflow; keep a copy of it, then run: mlflow db upgrade sqlite:///{database}"
     with pytest.raises(TrackingError, match=re.escape(said)):
         Store(f"sqlite:///{database}").prepare()
     assert database.read_bytes() == before

@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 from mlflow import MlflowClient
 
+from acoexp.tracking.mlflow.moving import is_away
 from acoexp.tracking.mlflow.run import RunWriter
-from acoexp.tracking.mlflow.store import Store
+from acoexp.tracking.mlflow.store import EXPERIMENT, Store
 
 
 @pytest.fixture
@@ -64,6 +65,19 @@ def moved(home: Path, to: Path) -> None:
 
 def copied(home: Path, to: Path) -> None:
     shutil.copytree(home.parent, to.parent)
+
+
+@pytest.mark.parametrize("away", [moved, copied])
+def test_that_it_went_away_is_seen_until_it_is_made_ready(
+    home: Path, tmp_path: Path, away: Callable[[Path, Path], None]
+) -> None:
+    there = tmp_path / "elsewhere" / "outputs"
+    there.parent.parent.mkdir(exist_ok=True)
+    assert not is_away(home / "mlflow.db", EXPERIMENT)
+    away(home, there)
+    assert is_away(there / "mlflow.db", EXPERIMENT)
+    opened(there)
+    assert not is_away(there / "mlflow.db", EXPERIMENT)
 
 
 @pytest.mark.parametrize("away", [moved, copied])

@@ -66,7 +66,8 @@ def test_a_finished_run_that_a_person_edited_is_not_taken_for_ours() -> None:
     assert is_whole(finished("a", 1, **BATCH))
     for name in BATCH:
         assert not is_whole(finished("a", 1, **{key: value for key, value in BATCH.items() if key != name}))
-        assert not is_whole(finished("a", 1, **{**BATCH, name: math.nan}))
+        for value in (math.nan, math.inf, -1.0, 1e300):
+            assert not is_whole(finished("a", 1, **{**BATCH, name: value}))
     for tag in ({"kind": ""}, {"kind": "mine"}, {"cell": ""}, {"cell": "mine"}):
         edited = finished("a", 1, **BATCH)
         edited.data.tags |= tag

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from contextlib import nullcontext
+from contextlib import ExitStack
 
 from hydra.core.config_store import ConfigStore
 from hydra.core.override_parser.overrides_parser import OverridesParser
@@ -51,6 +51,7 @@ class AcoexpSweeper(Sweeper):
             Plan,
             first_number,
             fix_folder,
+            only_sweep_in,
         )
         from acoexp.console.whole import write_whole
         from acoexp.tracking.mlflow.masking import masked
@@ -59,18 +60,22 @@ class AcoexpSweeper(Sweeper):
         overrides = OverridesParser.create(config_loader=self.loader).parse_overrides(texts)
         plan = Plan(self.config, self.loader, overrides)
         folder = fix_folder(self.config)
-        if not plan.is_kept():
-            plan.prepare(folder)
-        folder.mkdir(parents=True, exist_ok=True)
-        address = str(OmegaConf.select(self.config, "tracking.uri", default=""))
-        write_whole(folder / "multirun.yaml", masked(OmegaConf.to_yaml(self.config), address))
-        left = plan.leave_out_known()
-        if left.repeated:
-            print(f"acoexp: {left.repeated} jobs say what others say, and are run once", file=sys.stderr)
-        if left.found:
-            print(f"acoexp: {left.found} of {left.trials} trials found in the store", file=sys.stderr)
-        watched = Watched(folder=folder, where=plan.where, trials=left.trials, known=left.known, found=left.found)
-        with nullcontext() if plan.has_reports else watching(watched):
+        with ExitStack() as stack:
+            stack.enter_context(only_sweep_in(folder))
+            if not plan.is_kept():
+                plan.prepare(folder)
+            address = str(OmegaConf.select(self.config, "tracking.uri", default=""))
+            write_whole(folder / "multirun.yaml", masked(OmegaConf.to_yaml(self.config), address))
+            left = plan.leave_out_known()
+            if left.repeated:
+                print(f"acoexp: {left.repeated} jobs say what others say, and are run once", file=sys.stderr)
+            if left.found:
+                print(f"acoexp: {left.found} of {left.trials} trials found in the store", file=sys.stderr)
+            if not plan.has_reports:
+                watched = Watched(
+                    folder=folder, where=plan.where, trials=left.trials, known=left.known, found=left.found
+                )
+                stack.enter_context(watching(watched))
             return self._launch(left.missing, first_number(folder))
 
     def _launch(self, jobs: list[list[str]], number: int) -> list[Sequence[JobReturn]]:
@@ -78,8 +83,9 @@ class AcoexpSweeper(Sweeper):
         from acoexp.command.sweep.failed import raise_if_failed
 
         size = self.max_batch_size or max(len(jobs), 1)
-        returns: list[Sequence[JobReturn]] = []
-        for first in range(0, len(jobs), size):
-            returns.append(self.launcher.launch(jobs[first : first + size], initial_job_idx=number + first))
-            raise_if_failed(returns[-1])
+        returns = [
+            self.launcher.launch(jobs[first : first + size], initial_job_idx=number + first)
+            for first in range(0, len(jobs), size)
+        ]
+        raise_if_failed([job for batch in returns for job in batch])
         return returns
