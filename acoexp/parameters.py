@@ -174,7 +174,8 @@ def _converted(value: Any, kind: Any) -> Any:
     if typing.get_origin(kind) is tuple:
         return _texts(value) if kind == tuple[str, ...] else _pair(value)
     if isinstance(value, np.generic):
-        return _converted(value.item(), kind)
+        item = value.item()  # a long double stays one
+        return _converted(float(item) if isinstance(item, np.floating) else item, kind)
     if kind is float and not isinstance(value, bool) and isinstance(value, int | float):
         return float(value) if abs(value) <= sys.float_info.max else None
     if kind is int and (isinstance(value, bool) or not isinstance(value, int)):

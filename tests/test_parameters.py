@@ -67,6 +67,7 @@ def test_what_is_not_said_takes_its_default() -> None:
     ("key", "value", "becomes"),
     [
         ("share", 0, 0.0), ("share", 1, 1.0), ("share", np.float32(0.25), 0.25), ("share", np.int8(1), 1.0),
+        ("share", np.longdouble("0.5"), 0.5),
         ("reach", 1e-9, 1e-9), ("shift", -1e9, -1e9), ("shift", np.float64(2.5), 2.5),
         ("ants", 1, 1), ("ants", np.int64(100), 100), ("ants", np.uint8(7), 7),
         ("loud", True, True), ("mode", "nearest", "nearest"), ("rule", None, None), ("rule", "free", "free"),

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext, redirect_stdout
+from io import StringIO
 
 import hydra
 from hydra.errors import HydraException
@@ -18,6 +21,7 @@ from acoexp.command.options.registering import register_options
 from acoexp.console.ending import ends_cleanly
 from acoexp.errors import AcoexpError
 from acoexp.registry.folders import conf_dir
+from acoexp.tracking.mlflow.masking import masked
 
 _ENGINES = ("submitit", "ray", "joblib")
 """Packages whose own errors say that a job was lost with its worker."""
@@ -44,7 +48,20 @@ def _run() -> None:
     register_options(arguments.config_dir)
     sys.argv[1:] = arguments.argv
     complete_past_flags(os.environ)
-    hydra.main(version_base="1.3", config_path=str(conf_dir()), config_name="config")(run_job)()
+    run = hydra.main(version_base="1.3", config_path=str(conf_dir()), config_name="config")(run_job)
+    with _masked_output() if arguments.info or arguments.cfg else nullcontext():
+        run()
+
+
+@contextmanager
+def _masked_output() -> Iterator[None]:
+    """Print what Hydra shows of a configuration without the passwords in it."""
+    shown = StringIO()
+    try:
+        with redirect_stdout(shown):
+            yield
+    finally:
+        sys.stdout.write(masked(shown.getvalue()))
 
 
 def _describe(problem: Exception) -> str | None:

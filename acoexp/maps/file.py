@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import stat
 from dataclasses import dataclass
 from pathlib import Path
@@ -56,8 +57,9 @@ class MapFile(MapSource):
         kind = _KINDS.get(stat.S_IFMT(path.stat().st_mode))
         if kind is not None:
             raise self._refusal(kind)
-        with path.open("rb") as file:
-            content = file.read(LARGEST + 1)
+        # some files of the system's have nothing to read yet, and would be waited for
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | os.O_NONBLOCK)) as file:
+            content = file.read(LARGEST + 1) or b""
         if len(content) > LARGEST:
             raise self._refusal(f"more than {LARGEST // 2**20} MiB, the most that a map may have")
         return content

@@ -37,7 +37,7 @@ def artifacts_of(source: Store, run: Run, folder: Path) -> list[tuple[Path, str 
     try:
         place = _place(source, run, folder)
         return [] if place is None else [*_files(place)]
-    except OSError as problem:  # a TrackingError is one as well
+    except (OSError, ValueError, TypeError, RecursionError) as problem:  # a TrackingError is one as well
         raise problem if isinstance(problem, TrackingError) else _refusal(f"to be read; {problem}") from problem
 
 

@@ -75,6 +75,7 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
 
 def test_what_is_no_file_is_refused_by_its_kind_and_not_waited_for(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
+    assert Path("/proc/kmsg").exists() is False or refusal("/proc/kmsg")  # which waits for what it has not got yet
     kinds = {tmp_path: "a folder", tmp_path / "pipe": "a pipe", Path("/dev/zero"): "a device"}
     for path, kind in kinds.items():
         assert refusal(path) == f"map.path: expected a readable text file; got {str(path)!r} ({kind})"
@@ -113,7 +114,7 @@ def test_an_unreadable_file_is_named(yard: Path, monkeypatch: pytest.MonkeyPatch
     def denied(*args: Any, **kwargs: Any) -> str:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(Path, "open", denied)
+    monkeypatch.setattr("acoexp.maps.file.os.open", denied)
     assert refusal(yard) == f"map.path: expected a readable text file; got {str(yard)!r} (Permission denied)"
 
 

@@ -38,6 +38,7 @@ class Arguments(NamedTuple):
     argv: list[str]
     config_dir: str | None
     info: str | None = None
+    cfg: str | None = None
 
 
 def normalise(argv: list[str]) -> Arguments:
@@ -86,7 +87,7 @@ def normalise(argv: list[str]) -> Arguments:
         overrides = _defer_part_keys(overrides)
     # overrides first: an option with an optional value, such as --info, must not take one for its value
     argv = [*overrides, *(_folders(overrides) if runs else ()), *without_config_dir(options)]
-    return Arguments(argv, flags.config_dir, flags.info)
+    return Arguments(argv, flags.config_dir, flags.info, flags.cfg)
 
 
 def _quote_seeds(override: str) -> str | None:

@@ -6,6 +6,7 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
+import yaml
 from hydra.core.config_loader import ConfigLoader
 from hydra.core.object_type import ObjectType
 from hydra.errors import HydraException
@@ -18,6 +19,10 @@ from acoexp.registry.folders import plugin_conf_dirs
 from acoexp.registry.presets import find_preset
 
 _OURS = ("config", "settings")
+_LARGEST = 2**20
+"""Bytes that an option file may have."""
+_MOST_VALUES = 100_000
+"""Values that it may have."""
 
 
 class UserOptions(ConfigSource):
@@ -53,13 +58,15 @@ class UserOptions(ConfigSource):
     def _read(self, file: Path) -> ConfigResult:
         if not file.is_file():
             raise ConfigLoadError(f"Config not found : {file}")
+        if not file.resolve().is_relative_to(self._folder.resolve()):
+            raise HydraException(f"{file}: expected a file of this folder; got a link that leads out of it")
         try:
-            text = file.read_text(encoding="utf-8")
+            text = read_bounded(file)
             header = self._get_header_dict(text[:512])
             return ConfigResult(
                 provider=self.provider, path=self.full_path(), config=OmegaConf.create(text), header=header
             )
-        except (YAMLError, UnicodeDecodeError) as problem:
+        except (YAMLError, ValueError, RecursionError) as problem:
             raise HydraException(f"{file}: expected YAML; {' '.join(str(problem).split())}") from problem
 
     def is_group(self, config_path: str) -> bool:
@@ -80,6 +87,35 @@ class UserOptions(ConfigSource):
         for file in (self._folder / config_path).iterdir():
             self._list_add_result(found, str(Path(config_path, file.name)), file.name, results_filter)
         return sorted(set(found))
+
+
+def read_bounded(file: Path) -> str:
+    """Return the text of an option file that is no larger than one can be, also with its aliases written out.
+
+    Raises:
+        ValueError: if it is larger, contains itself, or is no text.
+    """
+    with file.open("rb") as opened:
+        content = opened.read(_LARGEST + 1)
+    if len(content) > _LARGEST:
+        raise ValueError(f"it has more than {_LARGEST // 2**20} MiB")
+    text = content.decode("utf-8")
+    sizes: dict[int, int | None] = {}
+
+    def size(node: yaml.Node | None) -> int:
+        if node is None or isinstance(node, yaml.ScalarNode):
+            return 1
+        if id(node) not in sizes:
+            sizes[id(node)] = None
+            inner = [part for pair in node.value for part in (pair if isinstance(pair, tuple) else (pair,))]
+            sizes[id(node)] = 1 + sum(map(size, inner))
+        known = sizes[id(node)]
+        if known is None or known > _MOST_VALUES:
+            raise ValueError("its aliases make it endless, or larger than any option")
+        return known
+
+    size(yaml.compose(text, Loader=yaml.SafeLoader))
+    return text
 
 
 def remember_options(loader: ConfigLoader) -> None:

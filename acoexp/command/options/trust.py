@@ -14,6 +14,8 @@ from hydra.errors import HydraException
 
 _RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
 _PLAIN_REFERENCE = re.compile(r"\$\{[\w.\[\]-]*\}")
+_KEYWORDS = ("_global_", "_group_", "_here_", "_name_")
+"""Words that Hydra replaces in a package. Within another word it cuts them out, and what is left counts."""
 _ADDRESS = re.compile(r"(^|[./@])tracking([./@].*)?$")
 
 
@@ -30,6 +32,13 @@ def check_option(file: str, config_path: str, package: str, content: Any) -> Non
         HydraException: if it sets ``hydra.*`` or ``_target_``; takes options from outside the folders of options;
             reads the environment or files by a resolver; or says where results go.
     """
+    group = config_path.rpartition("/")[0].replace("/", ".")
+    places = [group, package, *(entry.partition("@")[2] for entry in _defaults(content))]
+    for place in filter(None, places):
+        if not all(map(_is_plain, place.split("."))):
+            raise HydraException(
+                f"{file}: expected a package of names and dots, such as _global_ or diffusion; got {place!r}"
+            )
     if _RUNS_CODE.search(f"{config_path} {package}") or any(map(_RUNS_CODE.search, _named(content))):
         raise HydraException(
             f"{file}: expected settings of acoexp only; an option file may not set hydra.* or _target_, which run "
@@ -51,6 +60,13 @@ def check_option(file: str, config_path: str, package: str, content: Any) -> Non
         raise HydraException(
             f"{file}: expected no tracking.uri; where results go is said on the command line: tracking.uri=..."
         )
+
+
+def _is_plain(word: str) -> bool:
+    """Tell whether a part of a package is a name, or a whole keyword of Hydra's."""
+    return word in _KEYWORDS or (
+        re.fullmatch(r"[\w-]+", word) is not None and not any(k in word for k in _KEYWORDS)
+    )
 
 
 def _named(content: Any, in_defaults: bool = False) -> Iterator[str]:

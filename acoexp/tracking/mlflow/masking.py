@@ -13,12 +13,15 @@ from urllib.parse import unquote
 
 MASK = "***"
 
-_KEY = r"[\w-]*(?:password|passwd|pwd|token|secret|credential|signature|api[_-]?key|access[_-]?key|auth)[\w-]*"
+_WORDS = "pass|pwd|token|secret|credential|signature|api[_-]?key|access[_-]?key|auth|jwt|odbc_connect"
+_KEY = rf"(?:[\w-]*(?:{_WORDS})[\w-]*|sig|sas|pw)"
 _END = r"[;,.'\")\]}]*(?:[&\s]|$)"
 _QUERY = re.compile(rf"(?P<key>(?:^|[?&;\s]){_KEY}=)(?P<value>[^&\s]*?)(?={_END})", re.IGNORECASE)
 """``?password=...``, and the same among words, as drivers of databases have it."""
 _CREDENTIALS = re.compile(r"(?<=://)(?P<value>[^/\s]\S*)(?=@)")
 """All between ``//`` and the last ``@``; an address of a file has nothing there but its path."""
+_CUT = re.compile(r"(?<=://)(?P<value>[^/\s]\S*:\S*)(?=\.\.\. \(\d+ characters\))")
+"""The beginning of an address of which a message shows no more, and so not the ``@``."""
 _SHORTEST = 3
 """Characters from which on a piece of a password is looked for: an error's own words are left alone."""
 
@@ -32,7 +35,7 @@ def masked(text: str, address: str = "") -> str:
     """
     for secret in sorted(set(_secrets(address)), key=len, reverse=True):
         text = re.sub(rf"(?<!\w){re.escape(secret)}(?!\w)", MASK, text)
-    return _CREDENTIALS.sub(MASK, _QUERY.sub(rf"\g<key>{MASK}", text))
+    return _CUT.sub(MASK, _CREDENTIALS.sub(MASK, _QUERY.sub(rf"\g<key>{MASK}", text)))
 
 
 def _secrets(address: str) -> Iterator[str]:

@@ -238,7 +238,7 @@ def open_store(uri: str) -> Store:
 def _client_for(uri: str) -> MlflowClient:
     """Return MLflow's client for an address; MLflow says nothing but what is raised.
 
-    SQLite's driver is named, as MLflow would else make a folder of the name that is percent-encoded in the address.
+    SQLite's driver is named, as MLflow would else make a folder of the name that is encoded in the address.
     """
     for key, value in _MLFLOW_SETTINGS.items():
         os.environ.setdefault(key, value)

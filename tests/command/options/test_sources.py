@@ -44,6 +44,40 @@ def test_settings_of_ours_are_read_with_their_header(tmp_path: Path) -> None:
     assert result.header == {"package": "_global_"}
 
 
+def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
+    secret = write(tmp_path / "elsewhere", "secret", "a: b: SECRET")
+    folder = tmp_path / "options"
+    (folder / "study").mkdir(parents=True)
+    (folder / "study" / "linked.yaml").symlink_to(secret)
+    (folder / "outside").symlink_to(secret.parent)
+    for name in ("study/linked", "outside/secret"):
+        with pytest.raises(HydraException, match="got a link that leads out of it") as caught:
+            options(folder).load_config(name)
+        assert "SECRET" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n"
+        + "".join(f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]\n" for n in range(1, 9)),
+        "x: &x [*x]\n",
+        "x: &x {a: *x}\n",
+        "x: " + "[" * 3000 + "]" * 3000 + "\n",
+        "x: 1\n" * 200_000,
+        "# @package a b\nx: 1\n",
+        "# @package\nx: 1\n",
+    ],
+    ids=["ten to the nine", "itself", "itself in a mapping", "deep", "large", "two packages", "no package"],
+)
+def test_a_file_that_is_endless_or_no_option_is_refused_in_one_line(content: str, tmp_path: Path) -> None:
+    file = write(tmp_path, "study/evil", content)
+    with pytest.raises(HydraException, match=f"^{file}: expected ") as caught:
+        options(tmp_path).load_config("study/evil")
+    assert len(str(caught.value)) < 1000
+    assert "\n" not in str(caught.value)
+
+
 @pytest.mark.parametrize(
     ("name", "content"),
     [

@@ -49,6 +49,26 @@ def test_options_and_references_and_any_value_are_welcome(content: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "package",
+    [
+        "_global_xhydra",
+        "[hydra]",
+        "x_global_",
+        "_global_.[tracking]",
+        "hydra_global_x",
+        "_global_xtracking",
+    ],
+)
+def test_a_package_that_hydra_would_read_in_another_way_is_refused(package: str) -> None:
+    for given in (
+        refusal(HARMLESS, package=package),
+        refusal(f"defaults:\n  - /study@{package}: slow\n"),
+        refusal(HARMLESS, path=f"{package}/mine"),
+    ):
+        assert given.startswith("a package of names and dots, such as _global_ or diffusion; got ")
+
+
+@pytest.mark.parametrize(
     "content",
     [
         "hydra:\n  run:\n    dir: x\n",

@@ -29,7 +29,8 @@ def test_an_address_is_shown_without_its_secrets(address: str, shown: str) -> No
 
 @pytest.mark.parametrize(
     "key", ["password", "passwd", "pwd", "token", "api_key", "apikey", "API-KEY", "secret", "client_secret",
-            "access_token", "access_key", "X-Amz-Signature", "X-Amz-Credential", "auth"],
+            "access_token", "access_key", "X-Amz-Signature", "X-Amz-Credential", "auth", "sig", "pass",
+            "passphrase", "pw", "jwt", "odbc_connect"],
 )  # fmt: skip
 def test_whatever_a_secret_is_called_it_is_masked(key: str) -> None:
     assert masked(f"http://server/?a=1&{key}=s3cret") == f"http://server/?a=1&{key}=***"
@@ -51,6 +52,11 @@ def test_whatever_a_secret_is_called_it_is_masked(key: str) -> None:
 )
 def test_what_holds_no_secret_is_left_alone(text: str) -> None:
     assert masked(text, text) == text
+
+
+def test_the_beginning_of_an_address_that_a_message_cuts_off_is_masked() -> None:
+    said = "tracking.uri: expected an address; got 'postgresql://me:hunter2hunter2hunt... (350 characters)"
+    assert masked(said) == "tracking.uri: expected an address; got 'postgresql://***... (350 characters)"
 
 
 def test_a_piece_of_a_password_that_an_error_took_for_a_server_is_masked() -> None:
