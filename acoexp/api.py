@@ -28,6 +28,7 @@ class Options(TypedDict, total=False):
     tau0: float
     pheromone: str
     order: str
+    dead_end: str
     field: Mapping[str, Any]
     heuristic: str | Mapping[str, Any] | Heuristic
     choice: str | Mapping[str, Any] | Choice
@@ -51,8 +52,8 @@ def solve(
     Args:
         map: A registered map's name, a :class:`~acoexp.grid.Grid`, a 0/1 array [rows, cols], or the ``Path`` of a
             map file.
-        algo: A preset: ``aco``, ``pd``, ``pdg``, ``pf``, ``eas``, ``rank``, ``mmas``, ``acs``, or one that an
-            installed package brings.
+        algo: A preset: ``aco``, ``pd``, ``pdg``, ``pf``, ``eas``, ``rank``, ``mmas``, ``acs``, ``nav``, or one
+            that an installed package brings.
         seed: Whole number from 0 to 2^64 - 1; the same seed gives the same result.
         start: Where the ants set out, with an array or a file; by default (0, 0).
         goal: Where they want to be, with an array or a file; by default the opposite corner.

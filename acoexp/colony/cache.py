@@ -37,7 +37,7 @@ def compile_once(loop: Any, kernels: tuple[Any, ...], example: tuple[Any, ...]) 
 
     Args:
         loop: What ``make_loop`` returned.
-        kernels: The kernels that it closes over; None for one that is left out.
+        kernels: The kernels and constants that it closes over; None for a kernel that is left out.
         example: Arguments as the loop will get them.
     """
     if not hasattr(loop, "signatures"):  # NUMBA_DISABLE_JIT

@@ -17,7 +17,7 @@ _NOT_OF_THE_CODE = {"NUMBA_NUM_THREADS"}
 
 
 def digest_of(kernels: tuple[Any, ...]) -> str | None:
-    """Return a digest of all that the machine code of these kernels depends on.
+    """Return a digest of all that the machine code of these kernels, and constants among them, depends on.
 
     None if that can't be known: for a kernel made in a notebook, or inside a function.
     """
@@ -28,7 +28,7 @@ def digest_of(kernels: tuple[Any, ...]) -> str | None:
     packages = {__name__.partition(".")[0]}
     for kernel in kernels:
         function = getattr(kernel, "py_func", kernel)
-        if function is not None:
+        if callable(function):
             if function.__module__ == "__main__" or function.__closure__ or "<" in function.__qualname__:
                 return None
             packages.add(function.__module__.partition(".")[0])

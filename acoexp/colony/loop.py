@@ -27,14 +27,14 @@ STOPPED = -2
 """What the loop returns if it was told to stop."""
 
 
-def make_loop(order: Order, kernels: Kernels) -> Kernel:
+def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
     """Return the loop over these kernels, its ants walking in this order, compiled at its first call.
 
     It takes ``(room, record, seed)``: what it works on, a :class:`~acoexp.colony.state.Room`; the record to fill;
     the seed, uint64. It returns 0; or the cycle in which the post-optimiser returned what is no path; or
     ``NO_PATH``, ``STOPPED``, ``UNSOUND``.
     """
-    walk_together, walk = order(kernels.choice, kernels.diffusion)
+    walk_together, walk = order(kernels.choice, kernels.diffusion, steps_back)
     polish = idle if kernels.post is None else _polish_by(kernels.post)
     update = kernels.update
 
@@ -51,7 +51,7 @@ def make_loop(order: Order, kernels: Kernels) -> Kernel:
             for ant in range(colony.ants):
                 if not walk(room, ant):
                     return NO_PATH
-                record.ant_steps[0] += raw.steps[ant]
+                record.ant_steps[0] += raw.steps[ant] + 2 * room.given_up.number[ant]  # there and back
                 if raw.length[ant] < np.inf:
                     if not polish(room, ant):
                         return cycle + 1

@@ -13,6 +13,7 @@ from acoexp.colony.scalars import ColonySettings
 from acoexp.grid.field import FieldSettings, PotentialField, potential_field
 from acoexp.grid.grid import Cell, Grid
 from acoexp.grid.moves import DIRECTIONS
+from acoexp.grid.optimum import distances
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +28,11 @@ class Problem:
     def field(self) -> PotentialField:
         """The map's potential field, computed when a part first asks for it."""
         return potential_field(self.grid.obstacles, self.grid.goal, self.field_settings)
+
+    @cached_property
+    def distance(self) -> NDArray[np.float64]:
+        """Length of the shortest way from each cell to the goal, float64[rows, cols]; inf where there is none."""
+        return distances(self.grid.allowed, self.grid.goal)
 
     @property
     def width(self) -> int:

@@ -32,3 +32,8 @@ class ColonySettings:
         "how the ants of a cycle walk: one after another, or one step each in turn",
         choices=("in_turn", "lock_step"),
     )
+    dead_end: str = parameter(
+        "lost",
+        "what becomes of an ant with no cell left to go to: it is lost, or steps back and goes on from there",
+        choices=("lost", "step_back"),
+    )

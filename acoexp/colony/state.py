@@ -19,6 +19,9 @@ Kernel = Callable[..., Any]
 LOST = 8
 """What a choice returns when no cell is left to go to."""
 
+BACK = 9
+"""What a choice returns to give the ant's last move back; the cell that it leaves stays tabu for it."""
+
 NO_WAY_HERE = 8
 """The direction an ant came from while it still stands on the start."""
 
@@ -109,6 +112,18 @@ class Crowd(NamedTuple):
     untouched: NDArray[np.float64]
 
 
+class GivenUp(NamedTuple):
+    """Cells that ants stepped back from, which are on no trail and stay tabu until the ant's walk is over.
+
+    Attributes:
+        cells: int32[rows, cells]: a row for each ant where all walk together, else one.
+        number: int64[ants], how many of them each ant gave up.
+    """
+
+    cells: NDArray[np.int32]
+    number: NDArray[np.int64]
+
+
 class Kernels(NamedTuple):
     """What acts while a trial runs: one kernel for each part, by group. ``post=None`` leaves paths as walked."""
 
@@ -147,6 +162,7 @@ class Room(NamedTuple):
     Attributes:
         colony: The colony.
         crowd: Its ants, where they walk together; else None.
+        given_up: What they stepped back from.
         own: The parts' own states.
         initial: The initial pheromone, as in ``Prepared``.
         raw, final: The ways of a cycle's ants, as walked and as optimised; one object if there is no
@@ -157,6 +173,7 @@ class Room(NamedTuple):
 
     colony: Colony
     crowd: Crowd | None
+    given_up: GivenUp
     own: Own
     initial: NDArray[np.float64]
     raw: Trails

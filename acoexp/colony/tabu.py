@@ -23,8 +23,10 @@ def is_open(colony: Any, cell: Any, direction: Any) -> Any:
 
 
 @compiled
-def forget(colony: Any, trails: Any, ant: Any) -> None:
-    """Lift the tabu from all cells of an ant's walk, for the next ant."""
+def forget(colony: Any, trails: Any, ant: Any, given_up: Any, count: Any) -> None:
+    """Lift the tabu from all cells of an ant's walk, and from so many that it gave up, for the next ant."""
+    for place in range(count):
+        colony.untouched[np.uintp(given_up[place])] = 1.0
     cell = colony.start
     colony.untouched[cell] = 1.0
     for step in range(trails.steps[ant]):

@@ -4,6 +4,10 @@ An order makes two kernels from those of choice and diffusion: ``walk_together(r
 ``walk(room, ant)``, called for each ant after that. One of the two does the work, the other is ``idle``. Both
 write the ants' ways into ``room.raw`` and return False if a choice made a move that is not allowed, or never came
 to an end.
+
+At a dead end an ant is lost or, if ants step back, gives its last move back and chooses again; the cell that it
+leaves stays tabu for it, so that it makes at most twice as many moves as there are cells. This is the turn-back
+search that Liu et al. 2017 cite (Wang et al. 2008).
 """
 
 from __future__ import annotations
@@ -14,11 +18,11 @@ from typing import Any
 import numpy as np
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.state import LOST, NO_WAY_HERE, Colony, Kernel
+from acoexp.colony.state import BACK, LOST, NO_WAY_HERE, Colony, Kernel
 from acoexp.colony.tabu import forget, touch
 from acoexp.colony.trails import measure
 
-Order = Callable[[Kernel, Kernel], tuple[Kernel, Kernel]]
+Order = Callable[[Kernel, Kernel, bool], tuple[Kernel, Kernel]]
 
 
 @compiled
@@ -27,63 +31,92 @@ def idle(*_: Any) -> bool:
     return True
 
 
-def in_turn(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
+@compiled
+def _leaves(move: Any, steps_back: Any) -> Any:
+    """Tell whether an ant gives its last move back."""
+    return move == BACK or (steps_back and move == LOST)
+
+
+@compiled
+def _came_by(raw: Any, ant: Any, steps: Any) -> Any:
+    """Return the direction of an ant's last move, of so many."""
+    return np.int64(raw.moves[ant, steps - 1]) if steps > 0 else NO_WAY_HERE
+
+
+def in_turn(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, Kernel]:
     """Each ant sets out when the one before has arrived, or is lost."""
 
     @compiled
     def walk(room: Any, ant: Any) -> Any:
-        colony, own, raw = room.colony, room.own, room.raw
+        colony, own, raw, given_up = room.colony, room.own, room.raw, room.given_up
         cell, came = colony.start, NO_WAY_HERE
         touch(colony, cell)
-        steps = straight = 0
+        steps = straight = left = 0
         move = LOST
         while cell != colony.goal and steps < raw.moves.shape[1]:
             diffuse(colony, own.diffusion, ant, cell, came)
             move = choose(colony, own.choice, ant, cell, came)
-            if not colony.allowed[np.uintp(cell)] >> np.uint8(move) & 1:  # also where the ant is lost
+            if colony.allowed[np.uintp(cell)] >> np.uint8(move) & 1:
+                raw.moves[np.uintp(ant), np.uintp(steps)] = move
+                steps += 1
+                straight += 1 - (move & 1)
+                cell += colony.offsets[np.uintp(move)]
+                touch(colony, cell)
+                came = move
+            elif steps > 0 and _leaves(move, steps_back):
+                given_up.cells[0, left] = cell
+                left += 1
+                cell -= colony.offsets[_came_by(raw, ant, steps)]
+                straight -= 1 - (_came_by(raw, ant, steps) & 1)
+                steps -= 1
+                came = _came_by(raw, ant, steps)
+            else:
                 break
-            raw.moves[np.uintp(ant), np.uintp(steps)] = move
-            steps += 1
-            straight += 1 - (move & 1)
-            cell += colony.offsets[np.uintp(move)]
-            touch(colony, cell)
-            came = move
         measure(raw, ant, steps, straight)
         if cell != colony.goal:
             raw.length[ant] = np.inf
-        forget(colony, raw, ant)
-        return cell == colony.goal or move == LOST
+        given_up.number[ant] = left
+        forget(colony, raw, ant, given_up.cells[0], left)
+        return cell == colony.goal or LOST <= move <= BACK
 
     return idle, walk
 
 
-def lock_step(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
+def lock_step(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, Kernel]:
     """All set out together, and make one step each in turn, until every one has arrived or is lost."""
 
     @compiled
     def step(colony: Any, room: Any, ant: Any) -> Any:
-        crowd, own, raw = room.crowd, room.own, room.raw
+        crowd, own, raw, given_up = room.crowd, room.own, room.raw, room.given_up
         cell, steps = crowd.cell[ant], raw.steps[ant]
-        came = np.int64(raw.moves[ant, steps - 1]) if steps > 0 else NO_WAY_HERE
+        came = _came_by(raw, ant, steps)
         diffuse(colony, own.diffusion, ant, cell, came)
         move = choose(colony, own.choice, ant, cell, came)
-        if not colony.allowed[cell] >> np.uint8(move) & 1:
+        if colony.allowed[cell] >> np.uint8(move) & 1:
+            raw.moves[ant, steps] = move
+            raw.steps[ant] += 1
+            raw.straight[ant] += 1 - (move & 1)
+            cell += colony.offsets[move]
+            touch(colony, cell)
+        elif steps > 0 and _leaves(move, steps_back):
+            given_up.cells[ant, given_up.number[ant]] = cell
+            given_up.number[ant] += 1
+            raw.steps[ant] -= 1
+            raw.straight[ant] -= 1 - (came & 1)
+            cell -= colony.offsets[came]
+        else:
             crowd.walks[ant] = False
-            return move == LOST
-        raw.moves[ant, steps] = move
-        raw.steps[ant] += 1
-        raw.straight[ant] += 1 - (move & 1)
-        cell += colony.offsets[move]
-        touch(colony, cell)
+            return LOST <= move <= BACK
         crowd.cell[ant] = cell
         crowd.walks[ant] = cell != colony.goal and raw.steps[ant] < raw.moves.shape[1]
         return crowd.walks[ant] or cell == colony.goal
 
     @compiled
     def walk_together(room: Any) -> bool:
-        colony, crowd, raw = room.colony, room.crowd, room.raw
+        colony, crowd, raw, given_up = room.colony, room.crowd, room.raw, room.given_up
         for ant in range(colony.ants):
             crowd.cell[ant], crowd.walks[ant] = colony.start, True
+            given_up.number[ant] = 0
             touch(_as_seen_by(colony, crowd, ant), colony.start)
             measure(raw, ant, 0, 0)
         sound = walking = True
@@ -97,7 +130,7 @@ def lock_step(choose: Kernel, diffuse: Kernel) -> tuple[Kernel, Kernel]:
             measure(raw, ant, raw.steps[ant], raw.straight[ant])
             if crowd.cell[ant] != colony.goal:
                 raw.length[ant] = np.inf
-            forget(_as_seen_by(colony, crowd, ant), raw, ant)
+            forget(_as_seen_by(colony, crowd, ant), raw, ant, given_up.cells[ant], given_up.number[ant])
         return sound
 
     return walk_together, idle

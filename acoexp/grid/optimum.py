@@ -1,4 +1,4 @@
-"""The exact optimum of a grid, by scipy's Dijkstra: what every result is measured against."""
+"""The exact optimum of a grid, and the exact distances to its goal, by scipy's Dijkstra."""
 
 from __future__ import annotations
 
@@ -37,6 +37,20 @@ def shortest_path(
     while cells[-1] != first:
         cells.append(int(before[cells[-1]]))
     return np.stack(np.divmod(np.array(cells[::-1], dtype=np.int64), cols), axis=1)
+
+
+def distances(allowed: NDArray[np.uint8], goal: tuple[int, int]) -> NDArray[np.float64]:
+    """Return how long the shortest way from each cell to the goal is, float64[rows, cols]; inf where none leads.
+
+    Args:
+        allowed: The neighbour table, as for :func:`shortest_path`. Every rule allows a move both ways.
+        goal: Where the ways end, (row, column).
+    """
+    from scipy.sparse.csgraph import dijkstra
+
+    rows, cols = allowed.shape
+    found: NDArray[np.float64] = dijkstra(_move_graph(allowed), indices=goal[0] * cols + goal[1])
+    return found.reshape(rows, cols)
 
 
 def _move_graph(allowed: NDArray[np.uint8]) -> csr_array:

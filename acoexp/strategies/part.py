@@ -25,7 +25,7 @@ from acoexp.colony.problem import Problem
 from acoexp.errors import StrategyError
 from acoexp.strategies.groups import STRATEGY_GROUPS
 
-CONTRACT = 1
+CONTRACT = 2
 """Version of this contract. It grows when a part could rely on something that was not there before; a part
 that does says so by ``contract: ClassVar[int] = n``, and an older acoexp refuses it."""
 
@@ -65,8 +65,9 @@ class Choice(Part):
 
     Its kernel is ``choose(colony, own, ant, cell, came) -> direction``: from ``cell``, where the ant (its row
     in the cycle) arrived in direction ``came`` (``NO_WAY_HERE`` on the start). It returns the direction of an
-    allowed move to a cell that the ant has not visited, or ``LOST`` if there is none. It may change the
-    pheromone of the edge it returns.
+    allowed move to a cell that the ant has not visited, or ``LOST`` if there is none, or ``BACK`` (contract 2)
+    to give the ant's last move back: the cell that it leaves stays tabu for it. It may change the pheromone of
+    the edge it returns.
     """
 
 

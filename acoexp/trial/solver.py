@@ -36,7 +36,8 @@ class Solver:
     def __init__(self, grid: Grid, settings: Settings) -> None:
         self.settings = settings
         self._kernels = Kernels(**{group: settings.parts[group].kernel for group in Kernels._fields})
-        self._loop = _loop(ORDERS[settings.scalars.order], self._kernels)
+        self._walks = ORDERS[settings.scalars.order], settings.scalars.dead_end == "step_back"
+        self._loop = _loop(*self._walks, self._kernels)
         self._prepare(grid)
         self._compile()
 
@@ -216,13 +217,13 @@ class Solver:
         self.grid = grid
         self._problem = Problem(grid, self.settings.scalars, self.settings.field)
         self._prepared = prepare(self._problem, self.settings)
-        self._problem.__dict__.pop("field", None)  # 17 bytes per cell that nobody needs any more
+        for what in ("field", "distance"):  # 17 and 8 bytes per cell that nobody needs any more
+            self._problem.__dict__.pop(what, None)
 
     def _compile(self) -> None:
         room = self._new_workspace().room
         try:
-            kernels = ORDERS[self.settings.scalars.order], *self._kernels
-            compile_once(self._loop, kernels, (room, new_record(1), np.uint64(0)))
+            compile_once(self._loop, (*self._walks, *self._kernels), (room, new_record(1), np.uint64(0)))
         except AcoexpError:
             raise
         except Exception as problem:

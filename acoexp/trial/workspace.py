@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from acoexp.colony.pheromone import HIGHEST_POWER
 from acoexp.colony.problem import Problem
-from acoexp.colony.state import Colony, Crowd, Own, Prepared, Record, Room, Trails
+from acoexp.colony.state import Colony, Crowd, GivenUp, Own, Prepared, Record, Room, Trails
 from acoexp.errors import SettingsError
 from acoexp.grid.moves import DIRECTIONS
 
@@ -57,6 +57,7 @@ def _new_room(problem: Problem, prepared: Prepared, has_post: bool, stop: NDArra
     return Room(
         colony=new_colony(problem, prepared.desirability, stop),
         crowd=new_crowd(ants, cells) if problem.settings.order == "lock_step" else None,
+        given_up=new_given_up(ants, cells, problem.settings.order == "lock_step"),
         own=Own(*(_copied(state) for state in prepared.own)),
         initial=prepared.initial,
         raw=raw,
@@ -134,6 +135,12 @@ def new_crowd(ants: int, cells: int) -> Crowd:
     return Crowd(
         np.zeros(ants, dtype=np.int64), np.zeros(ants, dtype=np.bool_), np.ones((ants, cells), dtype=np.float64)
     )
+
+
+def new_given_up(ants: int, cells: int, together: bool) -> GivenUp:
+    """Return room for what so many ants step back from on a map of so many cells (border included)."""
+    rows = ants if together else 1
+    return GivenUp(np.empty((rows, cells), dtype=np.int32), np.zeros(ants, dtype=np.int64))
 
 
 def new_record(iterations: int) -> Record:

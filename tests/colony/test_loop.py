@@ -29,6 +29,7 @@ OTHER_CONSTANTS = {
 READINGS: list[tuple[str, dict[str, Any]]] = [
     ("pd", {"pheromone": "cells", "order": "lock_step", "source": "walked_edge"}),
     ("pd", {"obstacles": "nearest"}),
+    ("pdg", {"dead_end": "step_back"}),
 ]
 """Other decisions where the paper leaves one open: those that make kernels the most different."""
 
@@ -38,6 +39,7 @@ MORE_READINGS: list[tuple[str, dict[str, Any]]] = [
     *((algo, {"pheromone": "cells", "source": source}) for algo in ("pd", "pf") for source in SOURCES),
     *((algo, {"pheromone": lies, "order": "lock_step"}) for algo in ALGOS for lies in ("edges", "cells")),
     ("pf", {"obstacles": "nearest"}),
+    ("pd", {"dead_end": "step_back", "order": "lock_step", "pheromone": "cells"}),
 ]
 """Where each would have to be compiled, that would take minutes."""
 

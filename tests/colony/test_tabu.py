@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from reference import moves_of
 from samples import colony_on, drawn, number_of, problem_on, trails_of
@@ -41,6 +42,8 @@ def test_the_next_ant_finds_every_cell_open() -> None:
     for move in [*walk, None]:
         touch(colony, cell)
         cell = cell + colony.offsets[move] if move is not None else cell
-    assert (colony.untouched == 0.0).sum() == 5
-    forget(colony, trails_of(colony, walk), 0)
+    given_up = np.array([number_of(problem, (2, 0)), 0], dtype=np.int32)
+    touch(colony, given_up[0])
+    assert (colony.untouched == 0.0).sum() == 6
+    forget(colony, trails_of(colony, walk), 0, given_up, 1)
     assert (colony.untouched == 1.0).all()

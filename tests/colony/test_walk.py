@@ -11,13 +11,17 @@ from samples import colony_on, problem_on, room_of
 
 from acoexp import Grid
 from acoexp.colony.compiled import compiled
-from acoexp.colony.state import NO_WAY_HERE
+from acoexp.colony.state import BACK, NO_WAY_HERE
 from acoexp.colony.walk import ORDERS
 from acoexp.strategies.choice.roulette import spin
 from acoexp.strategies.diffusion.none import stay
 
 CORRIDOR = Grid([[0, 0, 0, 0]], start=(0, 0), goal=(0, 3))
 RING = Grid([[0, 0, 0], [0, 1, 0], [0, 0, 0]], start=(0, 0), goal=(2, 2), moves="no_cut")
+
+
+BETWEEN = Grid([[0, 0, 0, 0, 0]], start=(0, 2), goal=(0, 4))
+"""East the goal, west a dead end."""
 
 
 class Diary(NamedTuple):
@@ -45,11 +49,19 @@ def go_to_and_fro(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
     return 0 if came == NO_WAY_HERE or came == 4 else 4
 
 
-def walked(order: str, grid: Grid, ants: int, choose: Any = spin, diffuse: Any = stay, own: Any = ()) -> Any:
+def walked(
+    order: str,
+    grid: Grid,
+    ants: int,
+    choose: Any = spin,
+    diffuse: Any = stay,
+    own: Any = (),
+    steps_back: bool = False,
+) -> Any:
     """Let the ants of one cycle walk: whether they kept to the contract, their trails, and the colony."""
     room = room_of(colony_on(problem_on(grid, ants=ants)), diffusion=own)
     assert room.crowd is not None
-    walk_together, walk = ORDERS[order](choose, diffuse)
+    walk_together, walk = ORDERS[order](choose, diffuse, steps_back)
     with np.errstate(over="ignore"):
         sound = walk_together(room)
         sound = all([sound, *(walk(room, ant) for ant in range(ants))])
@@ -87,3 +99,54 @@ def test_a_choice_that_breaks_its_contract_is_noticed(choose: Any, order: str) -
     sound, trails, _ = walked(order, CORRIDOR, ants=2, choose=choose)
     assert not sound
     assert np.isinf(trails.length).all()
+
+
+@compiled
+def look_west_first(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    """Go a step west, say that this leads nowhere, and go east."""
+    if cell == colony.start:
+        return 4 if colony.untouched[cell - 1] == 1.0 else 0
+    return BACK if cell < colony.start else 0
+
+
+@compiled
+def give_up(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    return BACK
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_at_a_dead_end_an_ant_is_lost(order: str) -> None:
+    sound, trails, _ = walked(order, BETWEEN, ants=40)
+    assert sound
+    assert {*zip(trails.moves[:, 0].tolist(), trails.length.tolist(), strict=True)} == {(0, 2.0), (4, np.inf)}
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_or_it_steps_back_and_goes_on_where_it_has_not_been(order: str) -> None:
+    diary = Diary(np.zeros(1, dtype=np.int64), np.zeros((400, 3), dtype=np.int64))
+    sound, trails, colony = walked(order, BETWEEN, ants=40, diffuse=note, own=diary, steps_back=True)
+    assert sound
+    assert trails.length.tolist() == [2.0] * 40
+    assert trails.straight.tolist() == trails.steps.tolist() == [2] * 40
+    assert trails.moves[:, :2].tolist() == [[0, 0]] * 40
+    pages = diary.pages[: diary.entries[0]]
+    ways = {tuple(map(tuple, (pages[pages[:, 0] == ant, 1:] - [colony.start, 0]).tolist())) for ant in range(40)}
+    straight = ((0, NO_WAY_HERE), (1, 0))
+    assert ways == {straight, ((0, NO_WAY_HERE), (-1, 4), (-2, 4), (-1, 4), *straight)}
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("steps_back", [False, True])
+def test_a_choice_may_say_itself_that_the_ant_goes_back(steps_back: bool, order: str) -> None:
+    sound, trails, _ = walked(order, BETWEEN, ants=2, choose=look_west_first, steps_back=steps_back)
+    assert sound
+    assert trails.moves[:, :2].tolist() == [[0, 0]] * 2
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("steps_back", [False, True])
+def test_an_ant_that_has_given_all_its_moves_back_is_lost(steps_back: bool, order: str) -> None:
+    sound, trails, _ = walked(order, BETWEEN, ants=2, choose=give_up, steps_back=steps_back)
+    assert sound
+    assert np.isinf(trails.length).all()
+    assert trails.steps.tolist() == [0, 0]

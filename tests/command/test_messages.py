@@ -54,10 +54,13 @@ def test_what_comes_with_an_extra_is_told_with_the_command_that_installs_it(opti
             "did you mean moves?",
         ),
         ("update.elitists=1", "update.elitists is a key of update=elitist, not of update=dual_ant_cycle"),
-        ("post=geometrik", "post: expected one of: geometric, none; got 'geometrik'; did you mean geometric?"),
+        (
+            "post=geometrik",
+            "post: expected one of: geometric, none, shortcut; got 'geometrik'; did you mean geometric?",
+        ),
         (
             "map=gaussian",
-            "map: expected one of: env1, env2, fig13, file; got 'gaussian'; there is diffusion=gaussian",
+            "map: expected one of: env1, env2, fig13, file, movingai; got 'gaussian'; there is diffusion=gaussian",
         ),
     ],
 )

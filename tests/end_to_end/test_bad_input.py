@@ -24,9 +24,9 @@ from acoexp.registry.folders import conf_dir
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ("algo=nope", "algo: expected one of: aco, acs, eas, mmas, pd, pdg, pf, rank; got 'nope'"),
+        ("algo=nope", "algo: expected one of: aco, acs, eas, mmas, nav, pd, pdg, pf, rank; got 'nope'"),
         ("diffusion=nope", "diffusion: expected one of: gaussian, luo_wu, none; got 'nope'"),
-        ("map=nope", "map: expected one of: env1, env2, fig13, file; got 'nope'"),
+        ("map=nope", "map: expected one of: env1, env2, fig13, file, movingai; got 'nope'"),
         ("nope=1", "nope is not a known key"),
         ("+diffusion.nope=1", "diffusion.nope is not a known key; expected one of: diffusion.gamma"),
         ("ants=abc", "ants: expected a whole number from 1 to 100000; got 'abc'"),
@@ -55,7 +55,7 @@ def test_a_bad_setting_is_refused(given: str, said: str, tmp_path: Path) -> None
             "seed: expected a whole number from 0 to 2^64 - 1; got 18446744073709551616",
         ),
         ("seed=1,01", "seed: expected a whole number from 0 to 2^64 - 1; got '01'"),
-        ("post=none,nope", "post: expected one of: geometric, none; got 'nope'"),
+        ("post=none,nope", "post: expected one of: geometric, none, shortcut; got 'nope'"),
     ],
 )
 def test_one_bad_value_among_good_ones_stops_a_sweep_before_its_first_job(
@@ -164,7 +164,10 @@ def test_every_other_bad_setting_is_refused_by_the_same_check(given: str, said: 
         ("diffusion.at_goal=1", "diffusion.at_goal is not a known key"),
         ("update.elitists=1", "update.elitists is a key of update=elitist, not of update=dual_ant_cycle"),
         ("diffusion=gausian", "diffusion: expected one of: gaussian, luo_wu, none; got 'gausian'; did you mean "),
-        ("map=gaussian", "map: expected one of: env1, env2, fig13, file; got 'gaussian'; there is diffusion="),
+        (
+            "map=gaussian",
+            "map: expected one of: env1, env2, fig13, file, movingai; got 'gaussian'; there is diffusion=",
+        ),
     ],
 )
 def test_what_hydra_refuses_is_told_with_what_may_have_been_meant(given: str, said: str) -> None:

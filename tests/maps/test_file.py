@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from acoexp import Grid, MapError, SettingsError
-from acoexp.maps.file import LARGEST, MapFile
+from acoexp.maps.file import MapFile
+from acoexp.maps.reading import LARGEST
 from acoexp.parameters import build
 
 ART = "; moves: free\n..#\n...\n#..\n"
@@ -84,11 +85,11 @@ def test_what_is_no_file_is_refused_by_its_kind_and_not_waited_for(tmp_path: Pat
 def test_a_file_that_is_too_large_for_a_map_is_refused_before_it_is_read(yard: Path) -> None:
     with yard.open("wb") as file:
         file.truncate(100 * 10**6)
-    assert refusal(yard).endswith("(more than 4 MiB, the most that a map may have)")
+    assert refusal(yard).endswith("(more than 8 MiB, the most that a map may have)")
 
 
-def test_a_map_of_2000_by_2000_cells_is_not_too_large() -> None:
-    assert 2000 * len("." * 2000 + "\n") <= LARGEST
+def test_a_map_of_2048_by_2048_cells_is_not_too_large() -> None:
+    assert 2048 * len(". " * 2048) <= LARGEST
 
 
 def test_a_word_that_is_as_long_as_a_book_is_not_repeated(yard: Path) -> None:
@@ -114,7 +115,7 @@ def test_an_unreadable_file_is_named(yard: Path, monkeypatch: pytest.MonkeyPatch
     def denied(*args: Any, **kwargs: Any) -> str:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr("acoexp.maps.file.os.open", denied)
+    monkeypatch.setattr("acoexp.maps.reading.os.open", denied)
     assert refusal(yard) == f"map.path: expected a readable text file; got {str(yard)!r} (Permission denied)"
 
 

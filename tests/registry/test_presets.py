@@ -21,10 +21,11 @@ TABLE = {
     "rank": ("goal_distance", "roulette", "none", "none", "rank_based"),
     "mmas": ("goal_distance", "roulette", "none", "none", "max_min"),
     "acs": ("goal_distance", "acs", "none", "none", "global_best"),
+    "nav": ("progress", "roulette", "gaussian", "shortcut", "dual_ant_cycle"),
 }
 
 
-def test_there_are_the_papers_algorithms_and_the_classical_ones() -> None:
+def test_there_are_the_papers_algorithms_the_classical_ones_and_one_for_real_maps() -> None:
     assert preset_names() == sorted(TABLE)
 
 
@@ -53,7 +54,7 @@ def test_a_preset_says_in_one_line_what_it_is(algo: str) -> None:
 def test_an_unknown_algorithm_is_refused_with_those_that_are_known() -> None:
     with pytest.raises(SettingsError) as caught:
         find_preset("nope")
-    assert str(caught.value) == "algo: expected one of: aco, acs, eas, mmas, pd, pdg, pf, rank; got 'nope'"
+    assert str(caught.value) == "algo: expected one of: aco, acs, eas, mmas, nav, pd, pdg, pf, rank; got 'nope'"
 
 
 def test_presets_are_hydras_own_files() -> None:

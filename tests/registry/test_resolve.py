@@ -91,12 +91,14 @@ def test_a_reading_of_the_paper_that_there_is_not_is_refused_with_those_there_ar
 
 def test_an_unknown_key_is_refused_with_those_that_are_known() -> None:
     message = refusal(gama=0.1)
-    assert message.startswith("gama is not a known key; expected one of: alpha, ants, beta, choice, diffusion, ")
+    assert message.startswith(
+        "gama is not a known key; expected one of: alpha, ants, beta, choice, dead_end, diffusion, "
+    )
 
 
 @pytest.mark.parametrize("algo", ["PDG", "", None, 5, "custom", "../algo/pdg"])
 def test_an_unknown_algorithm_is_refused(algo: Any) -> None:
-    assert refusal(algo) == f"algo: expected one of: aco, acs, eas, mmas, pd, pdg, pf, rank; got {algo!r}"
+    assert refusal(algo) == f"algo: expected one of: aco, acs, eas, mmas, nav, pd, pdg, pf, rank; got {algo!r}"
 
 
 def test_a_part_may_be_a_name() -> None:

@@ -52,6 +52,7 @@ class Colony:
     reach: float = 4.0
     pheromone: str = "edges"
     order: str = "in_turn"
+    dead_end: str = "lost"
     source: str = "force_edge"
     obstacles: str = "sum"
 
@@ -263,7 +264,12 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
             weights = [tau[cell, d] ** colony.alpha * desire[cell, d] for d, _ in ways]
             sums, drawn = list(accumulate(weights)), random.uniform()
             if not ways:
-                return
+                if colony.dead_end == "lost" or len(path) == 1:
+                    return
+                path.pop()  # which stays visited
+                found.steps += 1
+                yield
+                continue
             if sums[-1] > 0:
                 target = next(t for (_, t), s in zip(ways, sums, strict=True) if s > drawn * sums[-1])
             else:

@@ -23,7 +23,7 @@ from acoexp.colony.state import Own, Room, Trails
 from acoexp.colony.trails import measure
 from acoexp.grid import MOVE_RULES
 from acoexp.grid.field import FieldSettings
-from acoexp.trial.workspace import new_colony, new_crowd, new_trails
+from acoexp.trial.workspace import new_colony, new_crowd, new_given_up, new_trails
 
 ALGOS = ("aco", "pd", "pdg", "pf")
 
@@ -60,7 +60,7 @@ def grids(largest: int = 40) -> st.SearchStrategy[Grid]:
 
 def settings_of(colony: Colony) -> dict[str, Any]:
     """Return what ``acoexp.solve`` must be told for the same colony."""
-    scalars = ("ants", "iterations", "alpha", "beta", "rho", "q", "tau0", "pheromone", "order")
+    scalars = ("ants", "iterations", "alpha", "beta", "rho", "q", "tau0", "pheromone", "order", "dead_end")
     guided = {"guidance": colony.guidance} if colony.algo == "pf" else {}
     return {
         **{key: getattr(colony, key) for key in scalars},
@@ -142,6 +142,7 @@ def room_of(colony: State, **own: Any) -> Room:
     return Room(
         colony=colony,
         crowd=new_crowd(ants, cells),
+        given_up=new_given_up(ants, cells, together=True),
         own=Own(**{group: own.get(group, ()) for group in Own._fields}),
         initial=np.array([colony.tau0]),
         raw=raw,
@@ -159,3 +160,18 @@ def trails_of(colony: State, *walks: list[int] | None) -> Trails:
         measure(trails, ant, len(walk or []), sum(move % 2 == 0 for move in walk or []))
         trails.length[ant] = np.inf if walk is None else trails.length[ant]
     return trails
+
+
+@st.composite
+def walks(draw: st.DrawFn) -> tuple[Grid, Path]:
+    """A map and a way that an ant with no sense of direction found; the shortest one if it never arrived."""
+    grid, seed = draw(grids(9)), random.Random(draw(st.integers(0, 2**32)))
+    moves = moves_of(grid)
+    for _ in range(30):
+        path, ways = [grid.start], True
+        while path[-1] != grid.goal and ways:
+            ways = sorted(set(moves[path[-1]].values()) - set(path))
+            path += [seed.choice(ways)] if ways else []
+        if path[-1] == grid.goal:
+            return grid, path
+    return grid, [(row, col) for row, col in grid.shortest_path.tolist()]

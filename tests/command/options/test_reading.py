@@ -61,8 +61,11 @@ def test_what_is_no_override_is_refused(override: str) -> None:
         ("rho=a=b", "rho: expected a number from 0 to 1; got 'a=b'"),
         ("rho=${a", "rho: expected a number from 0 to 1; got '${a'"),
         ("map.start=[1,", "map.start: expected a pair [row, column]; got '[1,'"),
-        ("map=a b(", "map: expected one of: env1, env2, fig13, file; got 'a b('"),
-        ("post=geometrik(", "post: expected one of: geometric, none; got 'geometrik('; did you mean geometric?"),
+        ("map=a b(", "map: expected one of: env1, env2, fig13, file, movingai; got 'a b('"),
+        (
+            "post=geometrik(",
+            "post: expected one of: geometric, none, shortcut; got 'geometrik('; did you mean geometric?",
+        ),
     ],
 )
 def test_what_cannot_be_read_and_is_no_text_is_refused_by_what_is_declared(override: str, said: str) -> None:

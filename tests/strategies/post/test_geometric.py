@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable
 from typing import Any
 
@@ -12,7 +11,7 @@ import reference
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from reference import Path, length_of, moves_of, pair_of
-from samples import colony_on, drawn, grids, is_way, number_of, problem_on
+from samples import colony_on, drawn, is_way, number_of, problem_on, walks
 
 from acoexp import Grid
 from acoexp.strategies.post.geometric import (
@@ -47,21 +46,6 @@ def left_of(rule: Rule, drawing: str, moves: str = "no_squeeze") -> str:
     shorter = applied(rule, grid, path)
     assert is_way(grid, shorter)
     return "".join(letters[cell] for cell in shorter)
-
-
-@st.composite
-def walks(draw: st.DrawFn) -> tuple[Grid, Path]:
-    """A map and a way that an ant with no sense of direction found; the shortest one if it never arrived."""
-    grid, seed = draw(grids(9)), random.Random(draw(st.integers(0, 2**32)))
-    moves = moves_of(grid)
-    for _ in range(30):
-        path, ways = [grid.start], True
-        while path[-1] != grid.goal and ways:
-            ways = sorted(set(moves[path[-1]].values()) - set(path))
-            path += [seed.choice(ways)] if ways else []
-        if path[-1] == grid.goal:
-            return grid, path
-    return grid, [(row, col) for row, col in grid.shortest_path.tolist()]
 
 
 def test_where_two_moves_cross_what_lies_between_them_goes() -> None:

@@ -1,0 +1,34 @@
+"""eta = exp(strength * (d(cell) - d(target))), d the Euclidean distance to the goal, in cells.
+
+One over the distance says less and less the farther the goal is: at 300 cells the ratio of two moves is 1.003.
+Progress says the same at any distance. eta^beta is exp(strength * beta * progress).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.problem import Problem
+from acoexp.grid.moves import DIRECTIONS
+from acoexp.parameters import parameter
+from acoexp.strategies.part import Heuristic
+
+
+@dataclass(frozen=True, kw_only=True)
+class Progress(Heuristic):
+    """Prefers moves that bring an ant nearer to the goal as the crow flies, at any distance alike."""
+
+    strength: float = parameter(2.0, "how much one cell of progress counts", minimum=0.0, maximum=100.0)
+
+    def eta(self, problem: Problem) -> NDArray[np.float64]:
+        """Return eta, float64[rows, cols, 8]."""
+        row, col = np.indices(problem.grid.shape)[..., None]
+        down, right = np.transpose(DIRECTIONS)
+        goal_row, goal_col = problem.grid.goal
+        here = np.hypot(row - goal_row, col - goal_col)
+        there = np.hypot(row + down - goal_row, col + right - goal_col)
+        factor: NDArray[np.float64] = np.exp(self.strength * (here - there))
+        return factor

@@ -1,0 +1,119 @@
+"""Shortcuts: from each cell straight on to the farthest of the path that an octile run leads to, again and again.
+
+An octile run makes all its diagonal moves and then all its straight ones, or the other way round: the shortest way
+there is between two cells. The farthest cell is searched in steps that double, then halve. On large maps little is
+left for the colony to do then: ``alpha=0`` beside it shows how little.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoexp.colony.compiled import compiled
+from acoexp.colony.problem import Problem
+from acoexp.parameters import parameter
+from acoexp.strategies.part import Post
+from acoexp.strategies.post.geometric import optimise as optimise_geometrically
+
+
+class OwnState(NamedTuple):
+    """Attributes: place int32[cells], as for ``geometric``; whether its rules come first."""
+
+    place: NDArray[np.int32]
+    geometric: bool
+
+
+@compiled
+def _run(colony: Any, cell: Any, target: Any, diagonal_first: Any, cells: Any, at: Any) -> Any:
+    """Return the moves of an octile run, 0 if it is blocked; write where they lead from a place in ``cells`` on.
+
+    Nothing is written where ``at`` is negative.
+    """
+    down, right = target // colony.width - cell // colony.width, target % colony.width - cell % colony.width
+    diagonal = min(abs(down), abs(right))
+    moves = max(abs(down), abs(right))
+    ahead, aside = np.sign(down) * colony.width, np.sign(right)
+    straight = ahead if abs(down) > abs(right) else aside
+    for move in range(moves):
+        bends = move < diagonal if diagonal_first else move >= moves - diagonal
+        offset = ahead + aside if bends else straight
+        if not colony.allowed[cell] >> colony.direction_of[offset + colony.width + 1] & 1:
+            return 0
+        cell += offset
+        if at >= 0:
+            cells[at + move] = cell
+    return moves
+
+
+@compiled
+def _reaches(colony: Any, cells: Any, start: Any, place: Any) -> Any:
+    """Tell how an octile run leads to a place on the path: diagonal first 1, straight first 2, not at all 0."""
+    if _run(colony, start, np.int64(cells[place]), True, cells, -1) > 0:
+        return 1
+    return 2 if _run(colony, start, np.int64(cells[place]), False, cells, -1) > 0 else 0
+
+
+@compiled
+def _farthest(colony: Any, cells: Any, start: Any, place: Any, last: Any) -> Any:
+    """Return the farthest place on the path, from a place on, that an octile run leads to from a cell."""
+    stride, grows = 1, True
+    while stride > 0:
+        reached = place + stride <= last and _reaches(colony, cells, start, place + stride) > 0
+        if reached:
+            place += stride
+        else:
+            grows = False
+        stride = stride * 2 if grows else stride // 2
+    return place
+
+
+@compiled
+def straighten(colony: Any, cells: Any, count: Any) -> Any:
+    """Go over a path once, and return how many cells are left."""
+    kept = place = 0
+    while place < count - 1:
+        start = np.int64(cells[kept])
+        place = _farthest(colony, cells, start, place + 1, count - 1)
+        diagonal_first = _reaches(colony, cells, start, place) == 1
+        kept += _run(colony, start, np.int64(cells[place]), diagonal_first, cells, kept + 1)
+    return kept + 1
+
+
+@compiled
+def _straight_moves(colony: Any, cells: Any, count: Any) -> Any:
+    """Return how many moves of a path are straight."""
+    straight = 0
+    for place in range(1, count):
+        straight += 1 - (colony.direction_of[cells[place] - cells[place - 1] + colony.width + 1] & 1)
+    return straight
+
+
+@compiled
+def optimise(colony: Any, own: Any, cells: Any, count: Any) -> Any:
+    """Apply the geometric rules, if they come first, and go over the path until it gets no shorter."""
+    if own.geometric:
+        count = optimise_geometrically(colony, own, cells, count)
+    while True:
+        before, straight = count, _straight_moves(colony, cells, count)
+        count = straighten(colony, cells, count)
+        if count == before and _straight_moves(colony, cells, count) >= straight:
+            return count
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shortcut(Post):
+    """Leads every ant's path straight on wherever nothing is in the way; little is left for the colony then."""
+
+    geometric: bool = parameter(False, "whether crossings, saw teeth and circles go first, as by geometric")
+
+    kernel = staticmethod(optimise)
+
+    def prepare(self, problem: Problem) -> OwnState:
+        """Make room to look cells up, if that is needed."""
+        rows, _ = problem.grid.shape
+        cells = (rows + 2) * problem.width if self.geometric else 0
+        return OwnState(np.full(cells, -1, dtype=np.int32), self.geometric)
