@@ -12,6 +12,8 @@ from hydra.core.singleton import Singleton
 
 from acoexp import Grid
 from acoexp.command.handover import Handover
+from acoexp.command.results.records import BATCH, TRIAL
+from acoexp.errors import SettingsError
 from acoexp.maps import parse_map
 
 CONFIG = {"name": "file", "path": "yard.txt", "moves": None}
@@ -99,6 +101,24 @@ def test_jobs_that_a_pattern_leads_to_one_folder_have_one_each_within_it(
     assert [handover.own_folder(job) for _ in range(3)] == [job, job / "2", job / "3"]
     assert handover.own_folder(other) == other
     assert (job / "3").is_dir()
+
+
+def test_what_an_earlier_sweep_left_in_such_a_folder_stays(handover: Handover, tmp_path: Path) -> None:
+    job = tmp_path / "job"
+    for record, expected in ((TRIAL, job), (BATCH, job / "2"), (TRIAL, job / "3")):
+        handover.put_maps(tmp_path, [])
+        assert handover.own_folder(job) == expected
+        (expected / record).touch()
+
+
+@pytest.mark.parametrize("folder", ["../beside", "/elsewhere", "linked/job"])
+def test_a_folder_outside_of_the_sweeps_is_refused(handover: Handover, folder: str, tmp_path: Path) -> None:
+    sweep = tmp_path / "sweep"
+    handover.put_maps(sweep, [])
+    (sweep / "linked").symlink_to(tmp_path)
+    with pytest.raises(SettingsError, match=r"^hydra\.sweep\.subdir: expected a folder within "):
+        handover.own_folder(sweep / folder)
+    assert not (tmp_path / "beside").exists()
 
 
 def test_a_sweep_that_uses_a_folder_again_begins_with_the_folder_itself(

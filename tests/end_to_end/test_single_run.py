@@ -63,6 +63,14 @@ def as_lists(values: dict[str, object]) -> dict[str, object]:
     return {key: list(value) if isinstance(value, tuple) else value for key, value in values.items()}
 
 
+@pytest.mark.parametrize("shown", [["--cfg", "job"], ["--cfg", "all"], ["--info", "config"]], ids=" ".join)
+def test_what_is_shown_of_a_configuration_has_no_password(shown: list[str], tmp_path: Path) -> None:
+    ended = run_acoexp("tracking.uri='http://me:s3cr%40et%2Fhunter2@server:5000'", *shown, cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert "server:5000" in ended.stdout
+    assert "hunter2" not in ended.stdout + ended.stderr
+
+
 def test_its_configuration_is_what_cfg_shows(run: Run) -> None:
     shown = run_acoexp("--cfg", "job", *ARGS, cwd=run.home)
     assert yaml.safe_load((run.folder / "config.yaml").read_text("utf-8")) == yaml.safe_load(shown.stdout)

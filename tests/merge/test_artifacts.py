@@ -41,7 +41,7 @@ def artifacts(theirs: Path) -> Path:
     return folder
 
 
-def name_for_all(theirs: Path, place: str) -> None:
+def name_for_all(theirs: Path, place: str | None) -> None:
     """Let the store name a place as every run's artifacts."""
     with closing(sqlite3.connect(theirs)) as database, database:
         database.execute("UPDATE runs SET artifact_uri = ?", (place,))
@@ -94,6 +94,14 @@ def test_a_place_on_a_network_is_refused_and_not_asked(
 ) -> None:
     name_for_all(theirs, place)
     assert f"; got {place}" in refusal(theirs, prepared, tmp_path, brought=0)
+
+
+@pytest.mark.parametrize("place", [None, "file://[::1/x", "x" * 100_000, "a\x00b"])
+def test_what_is_no_place_is_refused_for_that_run_alone(
+    place: str | None, theirs: Path, prepared: Prepared, tmp_path: Path
+) -> None:
+    name_for_all(theirs, place)
+    assert "expected its artifacts " in refusal(theirs, prepared, tmp_path, brought=0)
 
 
 @pytest.mark.parametrize("place", ["", "/", "file:///", "."])
