@@ -96,7 +96,7 @@ def test_a_place_on_a_network_is_refused_and_not_asked(
     assert f"; got {place}" in refusal(theirs, prepared, tmp_path, brought=0)
 
 
-@pytest.mark.parametrize("place", [None, "file://[::1/x", "x" * 100_000, "a\x00b"])
+@pytest.mark.parametrize("place", [None, "file://[::1/x", "x" * 100_000])
 def test_what_is_no_place_is_refused_for_that_run_alone(
     place: str | None, theirs: Path, prepared: Prepared, tmp_path: Path
 ) -> None:

@@ -13,21 +13,27 @@ from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
 from typing import Any
 
-Cell = tuple[int, int]
-Path = list[Cell]
-Pair = tuple[int, int]
-"""A length as (straight, diagonal) moves."""
+from reference_paths import (
+    ROOT2,
+    STEPS,
+    Cell,
+    Moves,
+    Pair,
+    Path,
+    direction_of,
+    length_of,
+    moves_of,
+    optimised,
+    pair_of,
+)
+
 Vector = tuple[float, float]
 """As (right, up)."""
-Moves = dict[Cell, dict[int, Cell]]
-"""By cell and direction: where that move leads. Moves that are not allowed are not there."""
 Edge = tuple[Cell, int]
 """A cell and a direction."""
 Levels = dict[Edge, float]
 """Something on every edge."""
 
-STEPS = [(0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0), (1, 1)]
-ROOT2 = math.sqrt(2)
 SHARE = [1 - (1, ROOT2)[d % 2] / (1.5 * ROOT2) for d in range(8)]
 """Of what diffuses, the part that a move of direction d gets (Eqs 7 and 8)."""
 
@@ -110,29 +116,6 @@ class Pheromone:
         self.levels[self.place[edge]] = level
 
 
-def moves_of(grid: Any) -> Moves:
-    """Every move that the map's rule for diagonals allows; outside the map counts as blocked."""
-    free = {(r, c) for r, row in enumerate(grid.obstacles) for c, wall in enumerate(row) if not wall}
-    blocked_beside = {"free": 2, "no_squeeze": 1, "no_cut": 0}[grid.moves]
-    allowed: Moves = {cell: {} for cell in free}
-    for r, c in free:
-        for d, (down, right) in enumerate(STEPS):
-            beside = [(r + down, c), (r, c + right)] if d % 2 else []
-            if (r + down, c + right) in free and sum(b not in free for b in beside) <= blocked_beside:
-                allowed[r, c][d] = (r + down, c + right)
-    return allowed
-
-
-def pair_of(path: Path) -> Pair:
-    """A path's (straight, diagonal) moves."""
-    diagonal = sum(a[0] != b[0] and a[1] != b[1] for a, b in pairwise(path))
-    return len(path) - 1 - diagonal, diagonal
-
-
-def length_of(pair: Pair) -> float:
-    return pair[0] + pair[1] * ROOT2
-
-
 def forces_of(grid: Any, colony: Colony) -> dict[Cell, Vector]:
     """The resultant force at each cell (Eqs 1-4), as (right, up)."""
     walls = [(r, c) for r, row in enumerate(grid.obstacles) for c, wall in enumerate(row) if wall]
@@ -206,44 +189,6 @@ def diffuse_luo_wu(tau: Any, cell: Cell, came: int | None, force: Vector, colony
             tau[cell, d] += colony.gamma * SHARE[d] * nearness[d] * phi
 
 
-def without_crossings(path: Path) -> Path:
-    """Of two diagonals of one 2 x 2 block, drop what lies between: from the first cell on to the last one.
-
-    Only moves that cross, or one move walked twice, have the same middle.
-    """
-    last = {(a[0] + b[0], a[1] + b[1]): j for j, (a, b) in enumerate(pairwise(path))}
-    kept, i = [], 0
-    while i < len(path) - 1:
-        kept.append(path[i])
-        i = last[path[i][0] + path[i + 1][0], path[i][1] + path[i + 1][1]] + 1
-    return [*kept, path[-1]]
-
-
-def without_saw_teeth(path: Path) -> Path:
-    """Drop the middle one of three cells where the path turns by 135 degrees: where its angle is 45."""
-    kept: Path = []
-    for cell in path:
-        while len(kept) > 1 and (_direction(kept[-1], cell) - _direction(kept[-2], kept[-1])) % 8 in (3, 5):
-            kept.pop()
-        kept.append(cell)
-    return kept
-
-
-def without_detours(path: Path, moves: Moves) -> Path:
-    """From each cell go on to that neighbour which comes last on the path (Fig. 6)."""
-    place = {cell: i for i, cell in enumerate(path)}
-    kept = [path[0]]
-    while kept[-1] != path[-1]:
-        kept.append(path[max(place.get(cell, -1) for cell in moves[kept[-1]].values())])
-    return kept
-
-
-def optimised(path: Path, moves: Moves) -> Path:
-    """The geometric post-optimiser (Sect. 3.3): its three rules, until nothing changes."""
-    shorter = without_detours(without_saw_teeth(without_crossings(path)), moves)
-    return path if shorter == path else optimised(shorter, moves)
-
-
 def run(grid: Any, colony: Colony, seed: int) -> Found:
     """Run one trial (Sect. 3.4)."""
     random, found, best = Random(seed), Found(), math.inf
@@ -258,7 +203,7 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
         visited = set(path)
         while (cell := path[-1]) != grid.goal:
             if diffuse:
-                came = _direction(path[-2], cell) if len(path) > 1 else None
+                came = direction_of(path[-2], cell) if len(path) > 1 else None
                 diffuse(tau, cell, came, forces[cell], colony)
             ways = [(d, target) for d, target in sorted(moves[cell].items()) if target not in visited]
             weights = [tau[cell, d] ** colony.alpha * desire[cell, d] for d, _ in ways]
@@ -294,7 +239,7 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
             tau.levels[place] *= 1 - colony.rho
         for path in paths:
             for a, b in pairwise(path):
-                tau[a, _direction(a, b)] += colony.q / length_of(pair_of(path))
+                tau[a, direction_of(a, b)] += colony.q / length_of(pair_of(path))
 
     for _ in range(colony.iterations):
         arrived = walk_all()
@@ -309,7 +254,3 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
                 best, found.path = length_of(pair_of(path)), path
                 found.raw_path = raw if colony.algo == "pdg" else None
     return found
-
-
-def _direction(a: Cell, b: Cell) -> int:
-    return STEPS.index((b[0] - a[0], b[1] - a[1]))

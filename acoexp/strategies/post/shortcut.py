@@ -21,7 +21,7 @@ from acoexp.strategies.post.geometric import optimise as optimise_geometrically
 
 
 class OwnState(NamedTuple):
-    """Attributes: place int32[cells], as for ``geometric``; whether its rules come first."""
+    """Attributes: place int32[cells], room to look up where a cell is; whether the geometric rules come first."""
 
     place: NDArray[np.int32]
     geometric: bool
@@ -84,6 +84,23 @@ def straighten(colony: Any, cells: Any, count: Any) -> Any:
 
 
 @compiled
+def cut_loops(own: Any, cells: Any, count: Any) -> Any:
+    """Go on from each cell where the path leaves it for the last time: runs may lead over one cell twice."""
+    for place in range(count):
+        own.place[cells[place]] = place
+    kept = resume = 0
+    for place in range(count):
+        cell = cells[place]
+        if place >= resume:
+            cells[kept] = cell
+            kept += 1
+            resume = own.place[cell] + 1
+        if own.place[cell] == place:
+            own.place[cell] = -1
+    return kept
+
+
+@compiled
 def _straight_moves(colony: Any, cells: Any, count: Any) -> Any:
     """Return how many moves of a path are straight."""
     straight = 0
@@ -99,7 +116,7 @@ def optimise(colony: Any, own: Any, cells: Any, count: Any) -> Any:
         count = optimise_geometrically(colony, own, cells, count)
     while True:
         before, straight = count, _straight_moves(colony, cells, count)
-        count = straighten(colony, cells, count)
+        count = cut_loops(own, cells, straighten(colony, cells, count))
         if count == before and _straight_moves(colony, cells, count) >= straight:
             return count
 
@@ -113,7 +130,6 @@ class Shortcut(Post):
     kernel = staticmethod(optimise)
 
     def prepare(self, problem: Problem) -> OwnState:
-        """Make room to look cells up, if that is needed."""
+        """Make room to look cells up."""
         rows, _ = problem.grid.shape
-        cells = (rows + 2) * problem.width if self.geometric else 0
-        return OwnState(np.full(cells, -1, dtype=np.int32), self.geometric)
+        return OwnState(np.full((rows + 2) * problem.width, -1, dtype=np.int32), self.geometric)

@@ -14,7 +14,7 @@ from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
 from acoexp.command.handover import Handover
-from acoexp.command.sweep.plan import Plan, as_written, combinations, first_number, fix_folder, only_sweep_in
+from acoexp.command.sweep.plan import Plan, as_written, combinations
 from acoexp.errors import SettingsError
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import NoTracker
@@ -68,26 +68,6 @@ def test_of_a_key_that_is_said_twice_the_last_word_counts() -> None:
 def test_an_interval_is_only_for_an_optimiser(interval: str) -> None:
     with pytest.raises(HydraException, match=r"^rho=.*: expected values or a range, .*another hydra/sweeper"):
         combinations(parsed(interval))
-
-
-# --- its folder
-
-
-@pytest.mark.parametrize("name", ["plain", "it's swept", "with, comma", "a b"])
-def test_the_folder_is_absolute_for_every_job_that_is_composed_later(
-    name: str, composed: Composed, tmp_path: Path
-) -> None:
-    config = OmegaConf.create({"hydra": {"sweep": {"dir": name}, "overrides": {"hydra": []}}})
-    assert fix_folder(config) == tmp_path / name
-    assert composed(*config.hydra.overrides.hydra).hydra.sweep.dir == str(tmp_path / name)
-
-
-def test_jobs_are_numbered_on_from_those_that_are_in_the_folder(tmp_path: Path) -> None:
-    assert first_number(tmp_path) == 0
-    for name in ("0", "9", "10", "maps", ".submitit", "x11"):
-        (tmp_path / name).mkdir()
-    (tmp_path / "99").touch()
-    assert first_number(tmp_path) == 11
 
 
 def test_what_only_a_job_knows_stays_as_it_was_written() -> None:
@@ -241,17 +221,6 @@ def test_the_same_trial_in_two_stores_is_two(
     stores["x"].runs[setup.configuration_id] = {setup.identity(0): Found("trial", 1, {"l1": 35.0})}
     left = plan.leave_out_known()
     assert ([told[0] for told in left.missing], left.found, left.repeated) == (["tracking.uri=y"], 1, 0)
-
-
-def test_a_folder_is_one_sweeps_at_a_time(tmp_path: Path) -> None:
-    said = r"^hydra\.sweep\.dir: expected a folder in which no other sweep runs"
-    with only_sweep_in(tmp_path / "study"):
-        with pytest.raises(SettingsError, match=said), only_sweep_in(tmp_path / "study"):
-            pass
-        with only_sweep_in(tmp_path / "another"):
-            pass
-    with only_sweep_in(tmp_path / "study"):
-        assert [*(tmp_path / "study").iterdir()] == []
 
 
 def test_jobs_that_say_the_same_run_once(planned: Callable[..., Plan]) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import reference
+import reference_paths
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from reference import Path, length_of, moves_of, pair_of
@@ -86,8 +87,8 @@ def test_moves_that_do_not_cross_stay(drawing: str) -> None:
 @pytest.mark.parametrize("direction", range(8))
 def test_where_the_angle_is_45_degrees_the_corner_goes(direction: int, turn: int) -> None:
     a = (2, 2)
-    b = tuple(np.add(a, reference.STEPS[direction]).tolist())
-    c = tuple(np.add(b, reference.STEPS[(direction + turn) % 8]).tolist())
+    b = tuple(np.add(a, reference_paths.STEPS[direction]).tolist())
+    c = tuple(np.add(b, reference_paths.STEPS[(direction + turn) % 8]).tolist())
     grid = Grid(np.zeros((5, 5)), start=a, goal=c)
     assert applied(cut_saw_teeth, grid, [a, b, c]) == [a, c]
 
@@ -96,8 +97,8 @@ def test_where_the_angle_is_45_degrees_the_corner_goes(direction: int, turn: int
 @pytest.mark.parametrize("direction", range(8))
 def test_where_the_angle_is_wider_the_corner_stays(direction: int, turn: int) -> None:
     a = (2, 2)
-    b = tuple(np.add(a, reference.STEPS[direction]).tolist())
-    c = tuple(np.add(b, reference.STEPS[(direction + turn) % 8]).tolist())
+    b = tuple(np.add(a, reference_paths.STEPS[direction]).tolist())
+    c = tuple(np.add(b, reference_paths.STEPS[(direction + turn) % 8]).tolist())
     grid = Grid(np.zeros((5, 5)), start=a, goal=c)
     assert applied(cut_saw_teeth, grid, [a, b, c]) == [a, b, c]
 
@@ -152,9 +153,9 @@ def test_the_three_rules_together_leave_nothing_to_cut() -> None:
 def test_each_rule_does_to_any_way_what_the_reference_does(walk: tuple[Grid, Path]) -> None:
     grid, path = walk
     moves = moves_of(grid)
-    assert applied(remove_crossings, grid, path) == reference.without_crossings(path)
-    assert applied(cut_saw_teeth, grid, path) == reference.without_saw_teeth(path)
-    assert applied(cut_circles, grid, path) == reference.without_detours(path, moves)
+    assert applied(remove_crossings, grid, path) == reference_paths.without_crossings(path)
+    assert applied(cut_saw_teeth, grid, path) == reference_paths.without_saw_teeth(path)
+    assert applied(cut_circles, grid, path) == reference_paths.without_detours(path, moves)
     assert applied(optimise, grid, path) == reference.optimised(path, moves)
 
 

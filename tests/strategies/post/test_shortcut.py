@@ -9,7 +9,7 @@ import pytest
 import reference
 from hypothesis import given, settings
 from reference import Cell, Moves, Path, length_of, moves_of, pair_of
-from samples import colony_on, is_way, number_of, problem_on, walks
+from samples import colony_on, is_way, number_of, problem_on, random_grid, walks
 
 from acoexp import Grid
 from acoexp.strategies.post.shortcut import Shortcut, optimise
@@ -22,6 +22,7 @@ def applied(grid: Grid, path: Path, **parameters: Any) -> Path:
     cells = np.zeros(colony.allowed.size, dtype=np.int32)
     cells[: len(path)] = [number_of(problem, cell) for cell in path]
     count = optimise(colony, own, cells, len(path))
+    assert (own.place == -1).all()  # else it would not be clean for the next ant
     rows, cols = np.divmod(cells[:count], problem.width)
     return [(int(row) - 1, int(col) - 1) for row, col in zip(rows, cols, strict=True)]
 
@@ -57,8 +58,25 @@ def straightened(path: Path, moves: Moves) -> Path:
                 grows = False
             stride = stride * 2 if grows else stride // 2
         kept += run_between(moves, kept[-1], path[place]) or []
+    kept = without_loops(kept)
     shorter = length_of(pair_of(kept)) < length_of(pair_of(path)) - 1e-9
     return straightened(kept, moves) if shorter else kept
+
+
+def without_loops(path: Path) -> Path:
+    """Go on from each cell where the path leaves it for the last time."""
+    last, kept, place = {cell: place for place, cell in enumerate(path)}, [], 0
+    while place < len(path):
+        kept.append(path[place])
+        place = last[path[place]] + 1
+    return kept
+
+
+def test_a_cell_that_runs_lead_over_twice_is_on_the_path_once() -> None:
+    grid = random_grid(561, 7, 5, "free", 0.4375)
+    around = [(5, 2), (6, 1), (5, 0), (4, 0), (4, 1), (3, 2), (2, 3), (2, 4)]
+    assert is_way(grid, around)
+    assert is_way(grid, applied(grid, around))
 
 
 @settings(max_examples=200, deadline=None)

@@ -61,9 +61,9 @@ class AcoexpSweeper(Sweeper):
         plan = Plan(self.config, self.loader, overrides)
         folder = fix_folder(self.config)
         with ExitStack() as stack:
-            stack.enter_context(only_sweep_in(folder))
             if not plan.is_kept():
                 plan.prepare(folder)
+            stack.enter_context(only_sweep_in(folder))
             address = str(OmegaConf.select(self.config, "tracking.uri", default=""))
             write_whole(folder / "multirun.yaml", masked(OmegaConf.to_yaml(self.config), address))
             left = plan.leave_out_known()
