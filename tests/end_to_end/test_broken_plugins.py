@@ -68,7 +68,7 @@ compiling = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing i
         (
             "diffusion",
             "newer",
-            "diffusion 'newer' of package bad-parts 1.0 asks for version 2 of the contract, .* 1;",
+            "diffusion 'newer' of package bad-parts 1.0 asks for version 3 of the contract, .* 2;",
         ),
         ("diffusion", "absent", "diffusion 'absent' of package bad-parts 1.0 cannot be imported"),
         pytest.param(
@@ -106,7 +106,7 @@ def test_a_broken_part_is_named_with_its_package(group: str, name: str, said: st
 def test_an_object_that_asks_for_a_newer_contract_is_refused_too() -> None:
     from bad_parts import Newer  # type: ignore[import-not-found]
 
-    with pytest.raises(StrategyError, match=r"diffusion 'newer' of package bad-parts 1\.0 asks for version 2"):
+    with pytest.raises(StrategyError, match=r"diffusion 'newer' of package bad-parts 1\.0 asks for version 3"):
         acoexp.solve("env2", "aco", diffusion=Newer())
 
 

@@ -77,7 +77,7 @@ class Raising(Diffusion):
 class Newer(Diffusion):
     """Asks for what is yet to come."""
 
-    contract: ClassVar[int] = 2
+    contract: ClassVar[int] = 3
     kernel = staticmethod(stay)
 
 
