@@ -103,10 +103,10 @@ class Plan:
 
     def leave_out_known(self) -> Left:
         """Return what is not in the store yet, and the records of what is."""
-        left, seen = Left([], [], 0, 0, 0), set[tuple[Tracker, str]]()
+        left, seen = Left([], [], 0, 0, 0), set[tuple[str | None, str]]()
         in_store = self._in_store()
         for overrides, job, seeds in self._each():
-            identity = job.tracker, job.setup.identity(seeds)
+            identity = job.tracker.address, job.setup.identity(seeds)
             if job.report is None and identity in seen:
                 left = left._replace(repeated=left.repeated + 1)
                 continue
@@ -127,10 +127,10 @@ class Plan:
             seed = next((int(text.partition("=")[2]) for text in overrides if _is_seed(text)), job.keys.seed)
             yield overrides, job, seed if job.seeds is None else job.seeds
 
-    def _in_store(self) -> dict[tuple[Tracker, str], Found]:
-        """Return the finished runs of the sweep's jobs by their store and identity, where kept trials count."""
+    def _in_store(self) -> dict[tuple[str | None, str], Found]:
+        """Return the finished runs of the sweep's jobs by store and identity, where kept trials count."""
         return {
-            (tracker, identity): run
+            (tracker.address, identity): run
             for (tracker, configuration), wanted in self._wanted().items()
             for identity, run in tracker.find(configuration, wanted).items()
         }
@@ -173,12 +173,13 @@ def only_sweep_in(folder: Path) -> Iterator[None]:
     folder.mkdir(parents=True, exist_ok=True)
     handle = os.open(folder, os.O_RDONLY)
     try:
-        flock(handle, LOCK_EX | LOCK_NB)
-    except BlockingIOError as problem:
-        os.close(handle)
-        said = f"hydra.sweep.dir: expected a folder in which no other sweep runs; got {folder}"
-        raise SettingsError(said) from problem
-    try:
+        try:
+            flock(handle, LOCK_EX | LOCK_NB)
+        except BlockingIOError as problem:
+            said = f"hydra.sweep.dir: expected a folder in which no other sweep runs; got {folder}"
+            raise SettingsError(said) from problem
+        except OSError:  # a disk that has no locks
+            pass
         yield
     finally:
         os.close(handle)

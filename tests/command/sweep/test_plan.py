@@ -214,7 +214,7 @@ def test_a_batch_is_as_many_trials_as_it_has_seeds(
 def test_the_same_trial_in_two_stores_is_two(
     planned: Callable[..., Plan], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stores = {uri: Store(uri) for uri in ("x", "y")}
+    stores = {uri: Store(uri, uri) for uri in ("x", "y")}
     monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: stores[config["uri"]])
     plan = planned("tracking.uri=x,y", "seed=0", *QUICK[1:])
     setup = next(iter(plan.jobs.values())).setup
