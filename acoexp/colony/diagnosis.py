@@ -12,11 +12,12 @@ import re
 import sys
 import traceback
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from acoexp.colony.state import Colony
-from acoexp.errors import did_you_mean
+from acoexp.errors import FAULTS, AcoexpError, StrategyError, did_you_mean
 
 _PLACE = re.compile(r" at (/\S.*|[A-Za-z]:\\.*|<.*) \((\d+)\)$", re.M)
 _WRONG_CALL = re.compile(
@@ -91,8 +92,26 @@ def place_of(problem: BaseException, files: Iterable[Path], functions: Iterable[
 def raised_at(problem: BaseException, files: Iterable[Path]) -> Place | None:
     """Return the author's own innermost line that an exception passed through; None if there is none."""
     folders = list(files)
-    frames = [f for f in traceback.extract_tb(problem.__traceback__) if _is_in(f.filename, folders)]
-    return Place(frames[-1].filename, frames[-1].lineno or 0) if frames else None
+    frames = traceback.extract_tb(problem.__traceback__)
+    places = [Place(file, f.lineno or 0) for f in frames if (file := _as_it_lies_now(f.filename, folders))]
+    return places[-1] if places else None
+
+
+@contextmanager
+def faults_of(part: Any, described: str, method: str) -> Iterator[None]:
+    """Turn whatever a method of a part raises into an error that names the part, and its author's line.
+
+    Raises:
+        StrategyError: with all of that, unless it is an error of acoexp's.
+    """
+    try:
+        yield
+    except AcoexpError:
+        raise
+    except FAULTS as problem:
+        what = f"{type(problem).__name__}: {problem}"
+        place = raised_at(problem, sources_of(part))
+        raise StrategyError(f"{described} failed in {method}: {what}{at(place)}") from problem
 
 
 def at(place: Place | None) -> str:
@@ -129,6 +148,20 @@ def _shortened(text: str) -> str:
 
 def _is_in(file: str, folders: Iterable[Path]) -> bool:
     return any(Path(file) == folder or folder in Path(file).parents for folder in folders)
+
+
+def _as_it_lies_now(file: str, folders: Iterable[Path]) -> str | None:
+    """Return the path of a file in these folders, or None.
+
+    Kept machine code names its sources by where they lay when it was compiled; a package may have moved since.
+    """
+    if _is_in(file, folders):
+        return file
+    for folder in folders:
+        above, name, inside = file.rpartition(f"/{folder.name}/")
+        if name and above and (folder / inside).is_file():
+            return str(folder / inside)
+    return None
 
 
 def _uses(function: Any, name: str) -> Iterator[Place]:

@@ -32,6 +32,12 @@ def idle(*_: Any) -> bool:
 
 
 @compiled
+def _is_open(allowed: Any, move: Any) -> Any:
+    """Tell whether a move is among the allowed ones; a number that is no direction is not."""
+    return 0 <= move < 8 and allowed >> np.uint8(move) & 1
+
+
+@compiled
 def _leaves(move: Any, steps_back: Any) -> Any:
     """Tell whether an ant gives its last move back."""
     return move == BACK or (steps_back and move == LOST)
@@ -56,7 +62,7 @@ def in_turn(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, 
         while cell != colony.goal and steps < raw.moves.shape[1]:
             diffuse(colony, own.diffusion, ant, cell, came)
             move = choose(colony, own.choice, ant, cell, came)
-            if colony.allowed[np.uintp(cell)] >> np.uint8(move) & 1:
+            if _is_open(colony.allowed[np.uintp(cell)], move):
                 raw.moves[np.uintp(ant), np.uintp(steps)] = move
                 steps += 1
                 straight += 1 - (move & 1)
@@ -92,7 +98,7 @@ def lock_step(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel
         came = _came_by(raw, ant, steps)
         diffuse(colony, own.diffusion, ant, cell, came)
         move = choose(colony, own.choice, ant, cell, came)
-        if colony.allowed[cell] >> np.uint8(move) & 1:
+        if _is_open(colony.allowed[cell], move):
             raw.moves[ant, steps] = move
             raw.steps[ant] += 1
             raw.straight[ant] += 1 - (move & 1)

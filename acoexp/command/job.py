@@ -22,7 +22,7 @@ from acoexp.command.results.contents import batch_record, trial_record
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
 from acoexp.command.results.table import print_report, print_trial
 from acoexp.command.results.watch import Watched, watching
-from acoexp.console.ending import FAILED, print_error
+from acoexp.console.ending import FAILED, print_error, said_of
 from acoexp.console.whole import whole_file, write_whole
 from acoexp.errors import AcoexpError, SettingsError, StoreGoneError, StrategyError
 from acoexp.grid.grid import Grid
@@ -65,7 +65,7 @@ def run_job(config: DictConfig) -> float:
             alone = HydraConfig.get().mode == RunMode.RUN
             if not (alone or isinstance(problem, StoreGoneError)):  # no further job could be kept then either
                 raise
-            print_error(str(problem))
+            print_error(said_of(problem))
             raise SystemExit(FAILED) from problem
 
 

@@ -9,6 +9,7 @@ from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import InterpolationResolutionError
 
 from acoexp.command.options.reading import line_to_type
+from acoexp.console.ending import said_of
 from acoexp.console.plain import one_line
 from acoexp.errors import did_you_mean
 from acoexp.registry.entries import GROUPS, not_found
@@ -28,7 +29,7 @@ def in_one_line(problem: Exception) -> str:
     """Return an error's message as one line."""
     if isinstance(problem, InterpolationResolutionError):
         return _unresolved(problem)
-    text = masked(one_line(str(problem).partition("Config search path")[0]))
+    text = masked(one_line(said_of(problem).partition("Config search path")[0]))
     unknown = re.match(r"Could not override '([^']+)'", text)
     if unknown:
         return _unknown_key(unknown[1], getattr(problem.__cause__, "parent_node", None))

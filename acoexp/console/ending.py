@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from io import TextIOWrapper
 
 from acoexp.console.plain import one_line
-from acoexp.errors import AcoexpError
+from acoexp.errors import AcoexpError, shown
 
 FAILED, INTERRUPTED = 1, 130
 """Exit statuses: anything that is wrong; Ctrl-C, as a shell has it."""
@@ -16,7 +16,14 @@ FAILED, INTERRUPTED = 1, 130
 
 def describe(problem: Exception) -> str | None:
     """Return what is said of an error; None for one that nobody foresaw, which needs its traceback."""
-    return str(problem) if isinstance(problem, AcoexpError | OSError) else None
+    return said_of(problem) if isinstance(problem, AcoexpError | OSError) else None
+
+
+def said_of(problem: Exception) -> str:
+    """Return what an error says; of the name of a file that is very long only the beginning."""
+    if isinstance(problem, OSError) and not isinstance(problem, AcoexpError) and problem.filename is not None:
+        return f"[Errno {problem.errno}] {problem.strerror}: {shown(problem.filename)}"
+    return str(problem)
 
 
 @contextmanager

@@ -56,19 +56,23 @@ class Grid:
         name: str = "array",
         metadata: dict[str, Any] | None = None,
     ) -> None:
-        occupied = _as_occupancy(obstacles, name)
-        rows, cols = occupied.shape
-        values = {
-            "obstacles": occupied,
-            "start": _as_cell(start if start is not None else (0, 0), "start", name),
-            "goal": _as_cell(goal if goal is not None else (rows - 1, cols - 1), "goal", name),
-            "moves": moves,
-            "name": name,
-            "metadata": dict(metadata or {}),
-        }
-        for key, value in values.items():
-            object.__setattr__(self, key, value)
-        self._check()
+        try:
+            occupied = _as_occupancy(obstacles, name)
+            rows, cols = occupied.shape
+            values = {
+                "obstacles": occupied,
+                "start": _as_cell(start if start is not None else (0, 0), "start", name),
+                "goal": _as_cell(goal if goal is not None else (rows - 1, cols - 1), "goal", name),
+                "moves": moves,
+                "name": name,
+                "metadata": dict(metadata or {}),
+            }
+            for key, value in values.items():
+                object.__setattr__(self, key, value)
+            self._check()
+        except MemoryError as problem:
+            came = f"{name}: expected a map for which the memory suffices; got shape {np.shape(obstacles)}"
+            raise MapError(f"map {came}") from problem
 
     def _check(self) -> None:
         if self.moves not in MOVE_RULES:
@@ -189,6 +193,8 @@ def _as_occupancy(obstacles: ArrayLike, name: str) -> NDArray[np.bool_]:
 def _as_cell(cell: Any, key: str, name: str) -> Cell:
     try:
         row, col = cell
+        if isinstance(row, bool) or isinstance(col, bool):
+            raise TypeError
         return int(row.__index__()), int(col.__index__())
     except (TypeError, ValueError, AttributeError):
         raise MapError(f"map {name}: {key}: expected (row, column), whole numbers; got {shown(cell)}") from None

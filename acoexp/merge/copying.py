@@ -22,6 +22,9 @@ _NOT_BROUGHT = {OWNER, WRITER, ALIVE, REPLACES}
 _NAMED = 20
 """Runs that a message names."""
 
+_LONGEST = 500
+"""Characters of each reason that a message shows: whoever wrote a store chose the names in it."""
+
 _IDENTITY = re.compile("[0-9a-f]{32}")
 """It is put into questions to the store, so nothing else may be in it."""
 
@@ -81,13 +84,17 @@ def merge(source: Store, target: Store, show: Callable[[int, int], None] = lambd
         except StoreGoneError:
             raise
         except TrackingError as problem:  # this run's own; whoever wrote the store may have written anything
-            refused.append(f"run {run.info.run_id} of {source.shown}: {problem}")
+            refused.append(f"run {run.info.run_id} of {source.shown}: {_shortened(str(problem))}")
         show(done, len(missing))
     there = len(finished) - len(missing)
     merged = Merged(len(missing) - len(refused), there, len(runs) - len(finished), len(refused))
     if refused:
         raise RefusedError(merged, refused)
     return merged
+
+
+def _shortened(reason: str) -> str:
+    return reason if len(reason) <= _LONGEST else f"{reason[:_LONGEST]} ..."
 
 
 def _is_known(run: Run) -> bool:

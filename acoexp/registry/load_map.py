@@ -8,9 +8,11 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from acoexp.errors import SettingsError
+from acoexp.colony.diagnosis import faults_of
+from acoexp.errors import SettingsError, StrategyError
 from acoexp.grid.grid import Cell, Grid
 from acoexp.maps.file import MapFile
+from acoexp.registry.entries import entries, package_named
 from acoexp.registry.parts import build_part
 
 
@@ -19,10 +21,15 @@ def load_map(name: Any, parameters: Mapping[str, Any]) -> Grid:
 
     Raises:
         SettingsError: if there is no such source, or for a parameter that its declaration does not allow.
-        StrategyError: for a source whose package cannot be imported.
+        StrategyError: for a source whose package cannot be imported, or that fails or returns no grid.
         MapError: if the map cannot be read, or no path can be planned on it.
     """
-    grid: Grid = build_part("map", name, parameters).load()
+    source = build_part("map", name, parameters)
+    described = f"map {name!r} of package {package_named(entries('map')[name])}"
+    with faults_of(source, described, "load"):
+        grid = source.load()
+    if not isinstance(grid, Grid):
+        raise StrategyError(f"{described}: expected load to return a Grid; got {type(grid).__name__}")
     return grid
 
 

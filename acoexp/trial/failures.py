@@ -34,7 +34,7 @@ def not_compiled(settings: Settings, problem: Exception) -> StrategyError:
     return StrategyError(f"{who} cannot be compiled: {diagnosis.explain(problem)}{diagnosis.at(place)}")
 
 
-def raised(settings: Settings, seed: int, problem: Exception) -> StrategyError:
+def raised(settings: Settings, seed: int, problem: BaseException) -> StrategyError:
     """Return the error for a kernel that raised, which kernels may not do."""
     foreign = _foreign(settings)
     places = {

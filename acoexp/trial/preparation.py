@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from acoexp.colony import diagnosis
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Own, Prepared
-from acoexp.errors import AcoexpError, StrategyError
+from acoexp.errors import FAULTS, StrategyError
 from acoexp.trial.settings import Settings
 
 DESIRABILITY_LIMIT = 1e200
@@ -61,27 +61,22 @@ class _Asked:
         if given is None:  # which NumPy would take for nan
             raise StrategyError(f"{problem}; got None, which is what a function without a return gives")
         try:
-            values = np.broadcast_to(np.asarray(given, dtype=np.float64), allowed.shape)
-        except (TypeError, ValueError) as reason:
-            shape = getattr(given, "shape", None)  # a ragged list has none
-            came = type(given).__name__ + (f" of shape {shape}" if shape is not None else "")
+            array = np.asarray(given)
+            values = np.broadcast_to(array.astype(np.float64, casting="same_kind", copy=False), allowed.shape)
+        except FAULTS as reason:  # a ragged list, or an object with ideas of its own
+            came = (
+                f"{given.dtype} of shape {given.shape}" if isinstance(given, np.ndarray) else type(given).__name__
+            )
             raise StrategyError(f"{problem} of a shape that broadcasts to {allowed.shape}; got {came}") from reason
         if not (np.isfinite(values[allowed]).all() and (values[allowed] >= 0.0).all()):
             raise StrategyError(f"{problem} that are finite, and at least 0, on every move; got others")
         return values
 
     def _answer(self, group: str, method: str) -> Any:
-        """Call a part's method with the problem; an error in it names the part and the author's line."""
-        try:
-            return getattr(self.settings.parts[group], method)(self.problem)
-        except AcoexpError:
-            raise
-        except Exception as problem:
-            what = f"{type(problem).__name__}: {problem}"
-            place = diagnosis.raised_at(problem, diagnosis.sources_of(self.settings.parts[group]))
-            raise StrategyError(
-                f"{self.settings.describe(group)} failed in {method}: {what}{diagnosis.at(place)}"
-            ) from problem
+        """Call a part's method with the problem."""
+        part = self.settings.parts[group]
+        with diagnosis.faults_of(part, self.settings.describe(group), method):
+            return getattr(part, method)(self.problem)
 
 
 def _check_state(state: Any, described: str) -> None:

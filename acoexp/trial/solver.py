@@ -16,7 +16,7 @@ from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Kernels, Record, Room, Trails
 from acoexp.colony.walk import ORDERS
-from acoexp.errors import AcoexpError, SettingsError, StrategyError
+from acoexp.errors import FAULTS, AcoexpError, SettingsError, StrategyError
 from acoexp.grid.grid import Grid
 from acoexp.trial import failures
 from acoexp.trial.failures import Failure
@@ -175,7 +175,7 @@ class Solver:
         try:
             with np.errstate(over="ignore"):  # without the JIT; uint64 wraps around on purpose
                 verdict = int(self._loop(workspace.room, record, np.uint64(seed)))
-        except Exception as problem:
+        except FAULTS as problem:
             raise failures.raised(self.settings, seed, problem) from problem
         self._check(verdict, seed)
         return self._result(workspace.room.best, record, seed)

@@ -137,6 +137,16 @@ def test_what_is_raised_is_placed_at_the_authors_innermost_line() -> None:
     assert raised_at(caught.value, [Path("/somewhere")]) is None
 
 
+def test_kept_machine_code_may_name_a_package_by_where_it_lay_before(tmp_path: Path) -> None:
+    (tmp_path / "now" / "wild" / "inner").mkdir(parents=True)
+    (tmp_path / "now" / "wild" / "inner" / "part.py").write_text("x = 1\n1 / 0\n", encoding="utf-8")
+    for before, found in (("before/wild/inner/part.py", True), ("before/wild/other.py", False)):
+        with pytest.raises(ZeroDivisionError) as caught:
+            exec(compile("x = 1\n1 / 0\n", str(tmp_path / before), "exec"))
+        place = str(raised_at(caught.value, [tmp_path / "now" / "wild"]))
+        assert place == (f"{tmp_path}/now/wild/inner/part.py:2: 1 / 0" if found else "None")
+
+
 def test_an_authors_sources_and_functions_are_those_of_the_top_level_package() -> None:
     class Own(Diffusion):
         kernel = staticmethod(make_a_list)

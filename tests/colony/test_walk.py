@@ -45,6 +45,16 @@ def go_south(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
 
 
 @compiled
+def go_nowhere(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    return 2**32
+
+
+@compiled
+def go_below(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    return -(2**40)
+
+
+@compiled
 def go_to_and_fro(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
     return 0 if came == NO_WAY_HERE or came == 4 else 4
 
@@ -94,7 +104,11 @@ def test_no_ant_is_kept_from_where_another_has_been(order: str) -> None:
 
 
 @pytest.mark.parametrize("order", ORDERS)
-@pytest.mark.parametrize("choose", [go_south, go_to_and_fro], ids=["into a wall", "for ever"])
+@pytest.mark.parametrize(
+    "choose",
+    [go_south, go_to_and_fro, go_nowhere, go_below],
+    ids=["into a wall", "for ever", "a number that wraps around to east", "a number below all directions"],
+)
 def test_a_choice_that_breaks_its_contract_is_noticed(choose: Any, order: str) -> None:
     sound, trails, _ = walked(order, CORRIDOR, ants=2, choose=choose)
     assert not sound

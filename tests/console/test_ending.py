@@ -39,6 +39,14 @@ def test_a_message_of_many_lines_becomes_one(capsys: Capture) -> None:
     assert ending(OSError("it is\n   wrong\n\nhere "), capsys) == (1, "acoexp: error: it is wrong here\n")
 
 
+def test_of_the_name_of_a_file_only_so_much_is_shown_as_a_person_reads(capsys: Capture) -> None:
+    status, said = ending(OSError(36, "File name too long", "x" * 3000), capsys)
+    assert (status, said) == (
+        1,
+        f"acoexp: error: [Errno 36] File name too long: '{'x' * 199}... (3002 characters)\n",
+    )
+
+
 def test_an_interruption_says_what_was_kept_and_is_the_shells_status(capsys: Capture) -> None:
     assert ending(KeyboardInterrupt(), capsys) == (130, "acoexp: interrupted; nothing is lost\n")
 

@@ -70,7 +70,9 @@ def test_start_and_goal_are_free(key: str) -> None:
 
 
 @pytest.mark.parametrize("key", ["start", "goal"])
-@pytest.mark.parametrize("odd", [(0.0, 1.0), (1.5, 1), (1, 2, 3), (1,), "ab", 5, (None, 1), np.zeros((2, 2), int)])
+@pytest.mark.parametrize(
+    "odd", [(0.0, 1.0), (1.5, 1), (True, 2), (1, 2, 3), (1,), "ab", 5, (None, 1), np.zeros((2, 2), int)]
+)
 def test_start_and_goal_are_pairs_of_whole_numbers(key: str, odd: Any) -> None:
     assert f"{key}: expected (row, column), whole numbers; got {odd!r}" in refusal(OPEN, **{key: odd})
 
@@ -106,6 +108,13 @@ def test_an_unknown_rule_is_refused(rule: Any) -> None:
     message = refusal(OPEN, moves=rule)
     assert "expected one of: free, no_squeeze, no_cut" in message
     assert f"got {rule!r}" in message
+
+
+def test_a_map_that_is_too_large_for_the_memory_is_refused() -> None:
+    vast = np.broadcast_to(np.zeros(1, bool), (2**30, 2**30))
+    assert refusal(vast, name="yard") == (
+        "map yard: expected a map for which the memory suffices; got shape (1073741824, 1073741824)"
+    )
 
 
 def test_the_array_given_is_copied() -> None:

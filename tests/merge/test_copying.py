@@ -130,6 +130,17 @@ def test_a_run_that_cannot_be_brought_keeps_no_other_back(
     assert caught.value.merged == Merged(3, 0, 1, 1)
 
 
+def test_a_reason_that_a_stranger_made_long_is_shortened(
+    elsewhere: Path, prepared: Prepared, tmp_path: Path
+) -> None:
+    shutil.copytree(elsewhere.parent, tmp_path / "theirs")
+    with closing(sqlite3.connect(tmp_path / "theirs" / "mlflow.db")) as database, database:
+        database.execute("UPDATE runs SET artifact_uri = 'file:///' || replace(hex(zeroblob(4000)), '0', 'x/')")
+    with pytest.raises(RefusedError) as caught:
+        merge(Store(f"sqlite:///{tmp_path}/theirs/mlflow.db"), prepared(tmp_path / "mlflow.db").store)
+    assert len(str(caught.value)) < 5000
+
+
 def test_of_very_many_that_cannot_be_brought_some_are_named() -> None:
     said = str(RefusedError(Merged(0, 0, 0, 100), [f"run {number}" for number in range(100)]))
     assert said.startswith("run 0; run 1; ")

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from acoexp import Grid, MapError, SettingsError
+from acoexp import Grid, MapError, SettingsError, StrategyError
 from acoexp.registry.load_map import as_grid, load_map
 
 YARD = Grid([[0, 1, 0], [0, 0, 0]], name="yard")
@@ -78,3 +80,42 @@ def test_what_has_ends_and_a_rule_of_its_own_takes_no_others(own: Any, given: di
 def test_a_map_without_a_way_is_refused() -> None:
     with pytest.raises(MapError, match="no way leads from start"):
         as_grid(np.array([[0, 1, 0]]))
+
+
+SOURCES = """
+from dataclasses import dataclass
+from acoexp.maps.source import MapSource
+
+@dataclass(frozen=True, kw_only=True)
+class Torn(MapSource):
+    def load(self):
+        return 1 / 0
+
+@dataclass(frozen=True, kw_only=True)
+class Ending(MapSource):
+    def load(self):
+        raise SystemExit(3)
+
+@dataclass(frozen=True, kw_only=True)
+class Empty(MapSource):
+    def load(self):
+        return [[0, 0]]
+"""
+ENTRIES = "[acoexp.map]\ntorn = wild_maps:Torn\nending = wild_maps:Ending\nempty = wild_maps:Empty\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("torn", r" failed in load: ZeroDivisionError: division by zero; \S+wild_maps.py:8: return 1 / 0$"),
+        ("ending", r" failed in load: SystemExit: 3; \S+wild_maps.py:13: raise SystemExit\(3\)$"),
+        ("empty", ": expected load to return a Grid; got list$"),
+    ],
+)
+def test_a_source_that_fails_is_named_with_its_package_and_its_authors_line(
+    name: str, said: str, install_package: Callable[..., None]
+) -> None:
+    install_package("wild-maps", ENTRIES, {"wild_maps.py": SOURCES})
+    with pytest.raises(StrategyError, match=f"^map '{name}' of package wild-maps 1.0{said}"):
+        load_map(name, {})
+    sys.modules.pop("wild_maps", None)

@@ -30,7 +30,7 @@ class Answering:
 
     def _answer(self, name: str, default: Any) -> Any:
         answer = self.answers.get(name, default)
-        if isinstance(answer, Exception):
+        if isinstance(answer, BaseException):
             raise answer
         return answer
 
@@ -42,6 +42,16 @@ class Answering:
 
     def initial(self, problem: Problem) -> Any:
         return self._answer("initial", problem.settings.tau0)
+
+
+class Stubborn:
+    """What will not become an array."""
+
+    def __init__(self, problem: BaseException) -> None:
+        self.problem = problem
+
+    def __array__(self, *_: Any, **__: Any) -> Any:
+        raise self.problem
 
 
 def prepared(scalars: dict[str, Any] = SCALARS, **parts: Answering) -> Prepared:
@@ -121,9 +131,15 @@ def test_a_state_that_no_kernel_can_take_is_refused(state: Any, came: str) -> No
 @pytest.mark.parametrize(
     ("eta", "came"),
     [
-        (np.ones((3, 2, 8)), "ndarray of shape (3, 2, 8)"),
-        (np.ones(7), "ndarray of shape (7,)"),
+        (np.ones((3, 2, 8)), "float64 of shape (3, 2, 8)"),
+        (np.ones(7), "float64 of shape (7,)"),
+        (np.ones((2, 3, 8)) * 1j, "complex128 of shape (2, 3, 8)"),
+        (np.full((2, 3, 8), None), "object of shape (2, 3, 8)"),
+        (1j, "complex"),
         ("much", "str"),
+        ("1.0", "str"),
+        (Stubborn(ValueError("no")), "Stubborn"),
+        (Stubborn(SystemExit(3)), "Stubborn"),
         ([[1.0], [1.0, 2.0]], "list"),
     ],
 )
@@ -156,6 +172,12 @@ def test_a_part_that_fails_is_named_with_its_authors_line(group: str, method: st
     said = refusal(**{group: Answering(**{method: ValueError("too bad")})})
     assert said.startswith(f"{group} 'mine' failed in {method}: ValueError: too bad; {__file__}:")
     assert said.endswith(": raise answer")
+
+
+@pytest.mark.parametrize(("group", "method"), [("choice", "prepare"), ("heuristic", "eta"), ("update", "initial")])
+def test_a_part_that_wants_to_end_the_program_fails_like_others(group: str, method: str) -> None:
+    said = refusal(**{group: Answering(**{method: SystemExit(3)})})
+    assert said.startswith(f"{group} 'mine' failed in {method}: SystemExit: 3; {__file__}:")
 
 
 def test_what_a_part_refuses_on_purpose_is_said_in_its_own_words() -> None:

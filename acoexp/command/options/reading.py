@@ -130,6 +130,13 @@ def _is_read(override: str) -> bool:
 
 
 def _check_text(key: str, value: str, part: Any, several: bool) -> None:
+    if part is None and key.lstrip("+") in _FOLDERS:
+        raise SettingsError(f"{key}: expected a folder; got {value}")
+    if isinstance(part, str) and not several and _loses_its_ends(value):
+        line = line_to_type(key, value)
+        raise SettingsError(
+            f"{key}: expected quotes, as Hydra drops signs at its ends; got {value!r}; type {line}"
+        )
     if part is not None and not isinstance(part, str):
         noun = _NOUNS.get(type(part), "something else")
         line = line_to_type(key, value, several)
@@ -138,6 +145,11 @@ def _check_text(key: str, value: str, part: Any, several: bool) -> None:
         )
     if key.lstrip("+") in _FOLDERS and isinstance(part, str):
         _check_folder(key, part)
+
+
+def _loses_its_ends(value: str) -> bool:
+    """Tell whether a text without quotes has blanks at an end, or backslashes that Hydra takes half of."""
+    return value != value.strip() or value.endswith("\\\\")
 
 
 def _check_folder(key: str, folder: str) -> None:

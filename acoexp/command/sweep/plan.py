@@ -72,10 +72,7 @@ class Plan:
         # seeds change nothing that is checked here, so a configuration is composed once for all of them
         others = [override for override in overrides if override.key_or_group != "seed"]
         self.jobs = {
-            tuple(combination): Job(
-                loader.load_configuration("config", [*combination, *of_hydra], run_mode=RunMode.RUN),
-                self._handover,
-            )
+            tuple(combination): Job(_composed(loader, [*combination, *of_hydra]), self._handover)
             for combination in combinations(others)
         }
         self.trackers = {job.tracker.where: job.tracker for job in self.jobs.values()}
@@ -143,6 +140,19 @@ class Plan:
                 setup = job.setup
                 wanted.setdefault((job.tracker, setup.configuration_id), set()).add(setup.identity(seeds))
         return wanted
+
+
+def _composed(loader: ConfigLoader, overrides: Overrides) -> DictConfig:
+    """Return the configuration of a job; what its folder's name refers to must be in it.
+
+    Raises:
+        OmegaConfBaseException, HydraException: if something is not.
+    """
+    config = loader.load_configuration("config", overrides, run_mode=RunMode.RUN)
+    if not OmegaConf.is_missing(config.hydra.sweep, "subdir"):
+        numbered = OmegaConf.merge(config, {"hydra": {"job": {"num": 0, "id": "0"}}})
+        _ = numbered.hydra.sweep.subdir
+    return config
 
 
 def as_written(overrides: ListConfig) -> list[str]:

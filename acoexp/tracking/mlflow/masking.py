@@ -20,8 +20,14 @@ _QUERY = re.compile(rf"(?P<key>(?:^|[?&;\s]){_KEY}=)(?P<value>[^&\s]*?)(?={_END}
 """``?password=...``, and the same among words, as drivers of databases have it."""
 _CREDENTIALS = re.compile(r"(?<=://)(?P<value>[^/\s]\S*)(?=@)")
 """All between ``//`` and the last ``@``; an address of a file has nothing there but its path."""
+_AUTHORITY = r"^(?!sqlite|file|.*\s\S*://)(?:[A-Za-z][\w+.-]*:/+|//)?([^/].*)@"
+"""The credentials of an address, also of one with a slip in its scheme."""
 _CUT = re.compile(r"(?<=://)(?P<value>[^/\s]\S*:\S*)(?=\.\.\. \(\d+ characters\))")
 """The beginning of an address of which a message shows no more, and so not the ``@``."""
+_SLIP = re.compile(
+    r"(?P<before>uri(?:=|: )['\"]?(?:(?!\S*://)|(?=//))/*|\b(?:http|postgres|mysql|mssql|oracle)[\w+]*:/?(?!/))(?P<value>[^/\s'\"]\S*)(?=@)"
+)
+"""Credentials where the ``//`` before them, or the scheme, was forgotten."""
 _SHORTEST = 3
 """Characters from which on a piece of a password is looked for: an error's own words are left alone."""
 
@@ -35,13 +41,14 @@ def masked(text: str, address: str = "") -> str:
     """
     for secret in sorted(set(_secrets(address)), key=len, reverse=True):
         text = re.sub(rf"(?<!\w){re.escape(secret)}(?!\w)", MASK, text)
-    return _CUT.sub(MASK, _CREDENTIALS.sub(MASK, _QUERY.sub(rf"\g<key>{MASK}", text)))
+    text = _CREDENTIALS.sub(MASK, _QUERY.sub(rf"\g<key>{MASK}", text))
+    return _SLIP.sub(rf"\g<before>{MASK}", _CUT.sub(MASK, text))
 
 
 def _secrets(address: str) -> Iterator[str]:
     """Yield an address's secrets: whole, in pieces, and as they are meant where they are percent-encoded."""
     without_query = _QUERY.sub(r"\g<key>", address)
-    credentials = re.search(r"://([^/].*)@", without_query, re.DOTALL)
+    credentials = re.search(_AUTHORITY, without_query, re.DOTALL)
     values = [found["value"] for found in _QUERY.finditer(address)]
     if credentials is not None and ":" in credentials[1]:
         yield credentials[1]

@@ -143,11 +143,14 @@ class Store:
             at_most: How many are of use: where there are more, only some are returned, but more than these.
         """
         runs: list[Run] = []
+        whole = " AND ".join(
+            filter(None, ["attributes.start_time >= 0", condition])
+        )  # MLflow fails at one without
         size = _PAGE if at_most is None else min(_PAGE, at_most + 1)
         token = None
         while at_most is None or len(runs) <= at_most:
             page = self.client.search_runs(
-                [self.experiment_id], condition, 1, size, ["attributes.start_time ASC"], token
+                [self.experiment_id], whole, 1, size, ["attributes.start_time ASC"], token
             )
             runs.extend(page)
             token = page.token

@@ -112,6 +112,15 @@ def test_a_text_that_hydra_reads_as_something_else_is_told_with_the_line_to_type
     check_texts([typed], several=False)
 
 
+@pytest.mark.parametrize("value", [" a.txt", "a.txt ", "b\\\\"])
+def test_a_text_whose_ends_hydra_would_drop_is_told_with_the_line_to_type(value: str) -> None:
+    said = refusal(f"map.path={value}")
+    assert said.startswith(f"map.path: expected quotes, as Hydra drops signs at its ends; got {value!r}; type ")
+    (typed,) = shlex.split(said.partition("; type ")[2])
+    check_texts([typed], several=False)
+    assert read([typed])[0].value() == value
+
+
 @pytest.mark.parametrize("values", ["choice(a,2024)", "a,2024"])
 def test_each_text_of_a_sweep_is_looked_at(values: str) -> None:
     said = refusal(f"map.path={values}", several=True)
@@ -126,6 +135,8 @@ def test_what_a_pattern_stands_for_only_hydra_knows() -> None:
     ("override", "said"),
     [
         ("hydra.run.dir='~/mine'", "expected a folder; got ~/mine, which Hydra would make in this one; type "),
+        ("hydra.run.dir=null", "expected a folder; got null"),
+        ("hydra.sweep.subdir=null", "expected a folder; got null"),
         ("hydra.sweep.dir=~/mine", "expected quotes, as Hydra reads signs in it as its own; got ~/mine; type "),
         (
             r"hydra.sweep.dir='\${x}'",

@@ -12,6 +12,7 @@ from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.errors import HydraException
 from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
+from omegaconf.errors import InterpolationKeyError
 
 from acoexp.command.handover import Handover
 from acoexp.command.sweep.plan import Plan, as_written, combinations
@@ -132,6 +133,16 @@ def test_one_job_that_is_wrong_stops_all(planned: Callable[..., Plan], overrides
     with pytest.raises(SettingsError) as caught:
         planned(*overrides, *QUICK)
     assert str(caught.value) == said
+
+
+@pytest.mark.parametrize("overrides", [["algo=aco"], ["algo=pd,aco"]])
+def test_a_name_of_a_folder_that_refers_to_what_a_job_lacks_stops_all(
+    planned: Callable[..., Plan], overrides: list[str]
+) -> None:
+    named = "hydra.sweep.subdir=${diffusion.gamma}_${hydra.job.num}_${hydra.job.id}"
+    assert planned("algo=pd", *QUICK, named).jobs
+    with pytest.raises(InterpolationKeyError, match=r"'diffusion\.gamma' not found"):
+        planned(*overrides, *QUICK, named)
 
 
 def test_all_stores_are_made_ready_and_their_addresses_and_all_maps_handed_over(

@@ -19,6 +19,12 @@ from acoexp.tracking.mlflow.masking import masked
         ("http://server:5000/?token=secret", "http://server:5000/?token=***"),
         ("http://server/a?x=1&access_token=secret&y=2", "http://server/a?x=1&access_token=***&y=2"),
         ("postgresql://server/runs?user=me&password=sec@ret", "postgresql://server/runs?user=me&password=***"),
+        ("http:/me:secret@server", "http:/***@server"),
+        ("http:me:secret@server", "***@server"),
+        ("me:secret@server", "***@server"),
+        ("//me:secret@server/runs", "//***@server/runs"),
+        ("htp://me:secret@server", "htp://***@server"),
+        ("postgresql:/me:sec@ret@server/runs", "postgresql:/***@server/runs"),
         ("mysql://me:secret@server/runs?sslpassword=other", "mysql://***@server/runs?sslpassword=***"),
     ],
 )
@@ -87,3 +93,12 @@ def test_what_stands_around_an_address_stays() -> None:
 def test_several_addresses_in_one_text_are_masked() -> None:
     text = "tracking:\n  uri: http://me:one@server/x\nmap:\n  path: http://me:two@server/y?token=three\n"
     assert masked(text) == "tracking:\n  uri: http://***@server/x\nmap:\n  path: http://***@server/y?token=***\n"
+
+
+@pytest.mark.parametrize(
+    "slip", ["http:/me:secret", "http:me:secret", "me:secret", "//me:secret", "postgres:/me:secret"]
+)
+@pytest.mark.parametrize("before", ["tracking.uri=", "  uri: ", "tracking.uri='"])
+def test_an_address_with_a_slip_is_masked_where_it_is_given(slip: str, before: str) -> None:
+    assert "secret" not in masked(f"{before}{slip}@server/runs")
+    assert masked(f"{before}sqlite:////home/me@work/a:b@c.db") == f"{before}sqlite:////home/me@work/a:b@c.db"

@@ -5,6 +5,8 @@ from __future__ import annotations
 import multiprocessing
 import os
 import re
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -148,6 +150,16 @@ def test_runs_are_found_on_all_pages_the_oldest_first(fresh: str, monkeypatch: p
         store.client.create_run(store.experiment_id, began)
     assert [run.info.start_time for run in store.search("")] == [10, 20, 30, 40, 50]
     assert store.search("attributes.status = 'FINISHED'") == []
+
+
+def test_a_run_without_a_start_at_which_mlflow_fails_is_passed_over(fresh: str) -> None:
+    store = Store(fresh)
+    store.prepare()
+    runs = [store.client.create_run(store.experiment_id, began).info.run_id for began in (10, 20)]
+    with closing(sqlite3.connect(str(store.file))) as database, database:
+        database.execute("UPDATE runs SET start_time = NULL WHERE run_uuid = ?", (runs[0],))
+    for condition in ("", "attributes.status = 'RUNNING'"):
+        assert [run.info.run_id for run in store.search(condition)] == runs[1:]
 
 
 def test_what_fails_while_the_store_is_away_is_done_when_it_is_back(
