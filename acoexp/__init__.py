@@ -5,10 +5,16 @@
 35.071...
 """
 
-from acoexp.api import solve, solve_many
-from acoexp.errors import AcoexpError, MapError, SettingsError, StrategyError, TrackingError
-from acoexp.grid.grid import Grid
-from acoexp.trial.result import Result
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from acoexp.api import solve, solve_many
+    from acoexp.errors import AcoexpError, MapError, SettingsError, StrategyError, TrackingError
+    from acoexp.grid.grid import Grid
+    from acoexp.trial.result import Result
 
 __all__ = [
     "AcoexpError",
@@ -21,3 +27,18 @@ __all__ = [
     "solve",
     "solve_many",
 ]
+
+_HOMES = {"solve": "api", "solve_many": "api", "Grid": "grid.grid", "Result": "trial.result"}
+
+
+def __getattr__(name: str) -> Any:
+    """Import what is asked for, and nothing before: the command tells of Ctrl-C from its first moment on."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    found = getattr(import_module(f"{__name__}.{_HOMES.get(name, 'errors')}"), name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

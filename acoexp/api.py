@@ -29,6 +29,7 @@ class Options(TypedDict, total=False):
     pheromone: str
     order: str
     dead_end: str
+    max_steps: int | None
     field: Mapping[str, Any]
     heuristic: str | Mapping[str, Any] | Heuristic
     choice: str | Mapping[str, Any] | Choice

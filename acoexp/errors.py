@@ -12,9 +12,6 @@ from typing import Any
 _LONGEST = 200
 """Characters of what came that a message shows."""
 
-FAULTS = (Exception, SystemExit)
-"""What a stranger's code may raise without ending the program; only Ctrl-C does that."""
-
 
 class AcoexpError(Exception):
     """Base of all errors that acoexp raises on purpose: one sentence for the user, no traceback needed."""

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from acoexp.errors import FAULTS, SettingsError, did_you_mean, shown
+from acoexp.errors import SettingsError, did_you_mean, shown
 
 _KINDS = (float, int, str, bool, tuple[str, ...], tuple[int, int])
 """The types that a parameter may have, each also with ``| None``."""
@@ -78,9 +78,9 @@ def build(owner: type, values: Mapping[str, Any], prefix: str = "") -> Any:
     checked = check(owner, {**defaults_of(owner), **values}, prefix)
     try:
         return owner(**checked)
-    except SettingsError:
+    except (SettingsError, KeyboardInterrupt):
         raise
-    except FAULTS as problem:  # its own __post_init__ refuses them
+    except BaseException as problem:  # its own __post_init__ refuses them
         where = prefix.rstrip(".") or owner.__name__
         raise SettingsError(f"{where}: {type(problem).__name__}: {problem}; got {checked}") from problem
 
@@ -115,7 +115,7 @@ def check_declarations(owner: type) -> None:
         return
     try:
         hints = typing.get_type_hints(owner)
-    except FAULTS as problem:
+    except Exception as problem:
         reason = f"{type(problem).__name__}: {problem}"
         raise SettingsError(f"the types of the fields of {owner.__name__} are not known: {reason}") from problem
     for field in dataclasses.fields(owner):

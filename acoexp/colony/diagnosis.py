@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from acoexp.colony.state import Colony
-from acoexp.errors import FAULTS, AcoexpError, StrategyError, did_you_mean
+from acoexp.errors import AcoexpError, StrategyError, did_you_mean
 
 _PLACE = re.compile(r" at (/\S.*|[A-Za-z]:\\.*|<.*) \((\d+)\)$", re.M)
 _WRONG_CALL = re.compile(
@@ -106,9 +106,9 @@ def faults_of(part: Any, described: str, method: str) -> Iterator[None]:
     """
     try:
         yield
-    except AcoexpError:
+    except (AcoexpError, KeyboardInterrupt):
         raise
-    except FAULTS as problem:
+    except BaseException as problem:  # sys.exit() too: a part does not end the program
         what = f"{type(problem).__name__}: {problem}"
         place = raised_at(problem, sources_of(part))
         raise StrategyError(f"{described} failed in {method}: {what}{at(place)}") from problem

@@ -16,6 +16,9 @@ class ColonySettings:
     rho: float = parameter(0.5, "share of the pheromone that evaporates in a cycle", minimum=0.0, maximum=1.0)
     ants: int = parameter(10, "ants that walk in a cycle", minimum=1, maximum=100_000)
     iterations: int = parameter(200, "cycles in a trial", minimum=1, maximum=1_000_000)
+    max_steps: int | None = parameter(
+        None, "moves, those back too, after which an ant is lost; without it no number is too many", minimum=1
+    )
     q: float = parameter(
         1.0, "pheromone that an ant spreads over its path; not in the paper", minimum=1e-100, maximum=1e100
     )

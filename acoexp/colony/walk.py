@@ -2,8 +2,8 @@
 
 An order makes two kernels from those of choice and diffusion: ``walk_together(room)``, called once a cycle, and
 ``walk(room, ant)``, called for each ant after that. One of the two does the work, the other is ``idle``. Both
-write the ants' ways into ``room.raw`` and return False if a choice made a move that is not allowed, or never came
-to an end.
+write the ants' ways into ``room.raw``, those of lost ants too, and return False if a choice made a move that is
+not allowed. An ant that has made so many moves as it may, or as there are cells, is lost.
 
 At a dead end an ant is lost or, if ants step back, gives its last move back and chooses again; the cell that it
 leaves stays tabu for it, so that it makes at most twice as many moves as there are cells. This is the turn-back
@@ -59,7 +59,8 @@ def in_turn(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, 
         touch(colony, cell)
         steps = straight = left = 0
         move = LOST
-        while cell != colony.goal and steps < raw.moves.shape[1]:
+        limit = min(colony.max_steps, raw.moves.shape[1])
+        while cell != colony.goal and steps < limit:
             diffuse(colony, own.diffusion, ant, cell, came)
             move = choose(colony, own.choice, ant, cell, came)
             if _is_open(colony.allowed[np.uintp(cell)], move):
@@ -72,6 +73,7 @@ def in_turn(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, 
             elif steps > 0 and _leaves(move, steps_back):
                 given_up.cells[0, left] = cell
                 left += 1
+                limit = min(colony.max_steps - 2 * left, raw.moves.shape[1])  # each was gone to and left
                 cell -= colony.offsets[_came_by(raw, ant, steps)]
                 straight -= 1 - (_came_by(raw, ant, steps) & 1)
                 steps -= 1
@@ -83,7 +85,7 @@ def in_turn(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, 
             raw.length[ant] = np.inf
         given_up.number[ant] = left
         forget(colony, raw, ant, given_up.cells[0], left)
-        return cell == colony.goal or LOST <= move <= BACK
+        return cell == colony.goal or steps >= limit or LOST <= move <= BACK
 
     return idle, walk
 
@@ -114,8 +116,9 @@ def lock_step(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel
             crowd.walks[ant] = False
             return LOST <= move <= BACK
         crowd.cell[ant] = cell
-        crowd.walks[ant] = cell != colony.goal and raw.steps[ant] < raw.moves.shape[1]
-        return crowd.walks[ant] or cell == colony.goal
+        limit = min(colony.max_steps - 2 * given_up.number[ant], raw.moves.shape[1])
+        crowd.walks[ant] = cell != colony.goal and raw.steps[ant] < limit
+        return True
 
     @compiled
     def walk_together(room: Any) -> bool:

@@ -181,6 +181,8 @@ def _as_occupancy(obstacles: ArrayLike, name: str) -> NDArray[np.bool_]:
         array = np.asarray(obstacles)
     except ValueError as problem:
         raise MapError(f"map {name}: expected rows of one length; got a ragged array") from problem
+    if np.ma.is_masked(obstacles):
+        raise MapError(f"map {name}: expected an array of 0 and 1; got one of which a part is masked")
     if array.ndim != 2 or array.size == 0:
         raise MapError(f"map {name}: expected an array [rows, cols] of 0 and 1; got shape {array.shape}")
     occupied = array.astype(bool) if array.dtype.kind in "biuf" else None

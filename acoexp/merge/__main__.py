@@ -81,6 +81,8 @@ def _is_mlflows(file: Path) -> bool:
     try:
         with closing(sqlite3.connect(f"{file.absolute().as_uri()}?mode=ro", uri=True)) as database:
             return bool(database.execute("SELECT 1 FROM sqlite_master WHERE name = 'experiments'").fetchone())
+    except sqlite3.OperationalError:  # locked, which is told when it is opened
+        return True
     except sqlite3.DatabaseError:
         return False
 

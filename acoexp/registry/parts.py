@@ -16,7 +16,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from acoexp.colony import diagnosis
-from acoexp.errors import FAULTS, SettingsError, StrategyError
+from acoexp.errors import SettingsError, StrategyError
 from acoexp.maps.source import MapSource
 from acoexp.parameters import build, check_declarations, fields_of
 from acoexp.registry.entries import clash, entries, entry_of, is_ours, not_found, package_named, part_names
@@ -119,7 +119,9 @@ def _keys(group: str, name: str) -> list[str]:
 def _load(entry: EntryPoint, group: str) -> Any:
     try:
         part = entry.load()
-    except FAULTS as problem:
+    except KeyboardInterrupt:
+        raise
+    except BaseException as problem:  # sys.exit() too: a part does not end the program
         raise StrategyError(
             f"{group} {entry.name!r} of package {package_named(entry)} cannot be imported from {entry.value}: "
             f"{type(problem).__name__}: {problem}{diagnosis.at(_line_of_import(entry, problem))}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import logging
 import os
@@ -24,7 +25,7 @@ from acoexp.trial.trials import Trials
 log = logging.getLogger(__name__)
 
 MADE_BY = ".made-by.json"
-"""File in a report's folder: by which settings it was made."""
+"""File in a report's folder: by which settings it was made, and what it consists of."""
 
 Count = Callable[[int], None]
 """Called with the number of trials that are finished, now and then."""
@@ -86,31 +87,62 @@ class Context:
     def draft(self) -> Iterator[Path]:
         """Give a folder to write the report to, which then takes the place of ``folder``, whole or not at all.
 
-        A report that is there and was made by other settings is kept beside it, under its date.
+        A report that is there is kept beside it, under its date, if it was made by other settings or if there is
+        anything in its folder that this report did not write.
         """
         keep = self._keep()
         with whole_folder(self.folder, keep) as draft:
             yield draft
             if self.made_by is not None:
-                (draft / MADE_BY).write_text(self._mark, encoding="utf-8")
+                mark = {"made by": self._made_by, "files": _digests(draft)}
+                (draft / MADE_BY).write_text(json.dumps(mark, sort_keys=True) + "\n", encoding="utf-8")
         if keep is not None:
-            log.info("the report that was in %s is of other settings, and is kept: %s", self.folder, keep)
+            said = "the report that was in %s is of other settings, or was changed since, and is kept: %s"
+            log.info(said, self.folder, keep)
 
     @property
-    def _mark(self) -> str:
-        return json.dumps(self.made_by, sort_keys=True, default=str) + "\n"
+    def _made_by(self) -> Any:
+        """Return what it was made by as it is read again."""
+        return json.loads(json.dumps(self.made_by, default=str))
 
     def _keep(self) -> Path | None:
         """Return where the report that is there is to be kept; None if this one may replace it."""
         mark = self.folder / MADE_BY
         if self.made_by is None or not os.path.lexists(self.folder):
             return None
-        if mark.is_file() and mark.read_bytes() == self._mark.encode():
+        if self._is_replaceable(mark):
             return None
         made = datetime.fromtimestamp((mark if mark.is_file() else self.folder).lstat().st_mtime)
         name = f"{self.folder.name}-{made:%Y-%m-%d-%H-%M-%S}"
         names = (self.folder.with_name(name if number == 1 else f"{name}-{number}") for number in count(1))
         return next(path for path in names if not os.path.lexists(path))
+
+    def _is_replaceable(self, mark: Path) -> bool:
+        """Tell whether the report that is there is of the same settings, and nothing else is in its folder."""
+        try:
+            said = json.loads(mark.read_bytes())
+            others = _digests(self.folder).items() - said["files"].items()
+            same = said["made by"] == self._made_by
+        except (OSError, ValueError, TypeError, KeyError, AttributeError):
+            return False
+        return bool(same and not others)
+
+
+def _digests(folder: Path) -> dict[str, str]:
+    """Return a digest of each file in a report's folder, by its path there; folders and links have none."""
+    files = (
+        path for path in folder.rglob("*") if path.name != MADE_BY and (path.is_symlink() or not path.is_dir())
+    )
+    return {
+        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        if _is_plain(path)
+        else ""
+        for path in files
+    }
+
+
+def _is_plain(path: Path) -> bool:
+    return path.is_file() and not path.is_symlink()
 
 
 def _changed(values: Any, defaults: Any) -> dict[str, Any]:

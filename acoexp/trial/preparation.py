@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from acoexp.colony import diagnosis
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Own, Prepared
-from acoexp.errors import FAULTS, StrategyError
+from acoexp.errors import StrategyError
 from acoexp.trial.settings import Settings
 
 DESIRABILITY_LIMIT = 1e200
@@ -63,7 +63,9 @@ class _Asked:
         try:
             array = np.asarray(given)
             values = np.broadcast_to(array.astype(np.float64, casting="same_kind", copy=False), allowed.shape)
-        except FAULTS as reason:  # a ragged list, or an object with ideas of its own
+        except KeyboardInterrupt:
+            raise
+        except BaseException as reason:  # a ragged list, or an object with ideas of its own
             came = (
                 f"{given.dtype} of shape {given.shape}" if isinstance(given, np.ndarray) else type(given).__name__
             )

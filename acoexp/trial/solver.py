@@ -16,7 +16,7 @@ from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Kernels, Record, Room, Trails
 from acoexp.colony.walk import ORDERS
-from acoexp.errors import FAULTS, AcoexpError, SettingsError, StrategyError
+from acoexp.errors import AcoexpError, SettingsError, StrategyError, shown
 from acoexp.grid.grid import Grid
 from acoexp.trial import failures
 from acoexp.trial.failures import Failure
@@ -73,9 +73,11 @@ class Solver:
             SettingsError: for a seed or a number of threads that is not one.
             StrategyError: if a part broke its contract.
         """
-        if not isinstance(seeds, Iterable):
-            raise SettingsError(f"seeds: expected whole numbers, such as range(10); got {seeds!r}")
-        checked = [check_seed(seed) for seed in seeds]
+        try:
+            given = iter(seeds)
+        except TypeError:
+            raise SettingsError(f"seeds: expected whole numbers, such as range(10); got {shown(seeds)}") from None
+        checked = [check_seed(seed) for seed in given]
         results: dict[int, Result] = {}
 
         def receive(outcome: Result | Failure) -> None:
@@ -175,7 +177,9 @@ class Solver:
         try:
             with np.errstate(over="ignore"):  # without the JIT; uint64 wraps around on purpose
                 verdict = int(self._loop(workspace.room, record, np.uint64(seed)))
-        except FAULTS as problem:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as problem:
             raise failures.raised(self.settings, seed, problem) from problem
         self._check(verdict, seed)
         return self._result(workspace.room.best, record, seed)

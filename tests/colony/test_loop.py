@@ -30,6 +30,7 @@ READINGS: list[tuple[str, dict[str, Any]]] = [
     ("pd", {"pheromone": "cells", "order": "lock_step", "source": "walked_edge"}),
     ("pd", {"obstacles": "nearest"}),
     ("pdg", {"dead_end": "step_back"}),
+    ("pdg", {"dead_end": "step_back", "max_steps": 45}),
 ]
 """Other decisions where the paper leaves one open: those that make kernels the most different."""
 

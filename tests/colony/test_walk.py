@@ -11,7 +11,7 @@ from samples import colony_on, problem_on, room_of
 
 from acoexp import Grid
 from acoexp.colony.compiled import compiled
-from acoexp.colony.state import BACK, NO_WAY_HERE
+from acoexp.colony.state import BACK, LOST, NO_WAY_HERE
 from acoexp.colony.walk import ORDERS
 from acoexp.strategies.choice.roulette import spin
 from acoexp.strategies.diffusion.none import stay
@@ -67,9 +67,10 @@ def walked(
     diffuse: Any = stay,
     own: Any = (),
     steps_back: bool = False,
+    **settings: Any,
 ) -> Any:
     """Let the ants of one cycle walk: whether they kept to the contract, their trails, and the colony."""
-    room = room_of(colony_on(problem_on(grid, ants=ants)), diffusion=own)
+    room = room_of(colony_on(problem_on(grid, ants=ants, **settings)), diffusion=own)
     assert room.crowd is not None
     walk_together, walk = ORDERS[order](choose, diffuse, steps_back)
     with np.errstate(over="ignore"):
@@ -106,13 +107,52 @@ def test_no_ant_is_kept_from_where_another_has_been(order: str) -> None:
 @pytest.mark.parametrize("order", ORDERS)
 @pytest.mark.parametrize(
     "choose",
-    [go_south, go_to_and_fro, go_nowhere, go_below],
-    ids=["into a wall", "for ever", "a number that wraps around to east", "a number below all directions"],
+    [go_south, go_nowhere, go_below],
+    ids=["into a wall", "a number that wraps around to east", "a number below all directions"],
 )
 def test_a_choice_that_breaks_its_contract_is_noticed(choose: Any, order: str) -> None:
     sound, trails, _ = walked(order, CORRIDOR, ants=2, choose=choose)
     assert not sound
     assert np.isinf(trails.length).all()
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_an_ant_that_never_comes_to_an_end_is_lost(order: str) -> None:
+    sound, trails, colony = walked(order, CORRIDOR, ants=2, choose=go_to_and_fro)
+    assert sound
+    assert np.isinf(trails.length).all()
+    assert trails.steps.tolist() == [colony.allowed.size] * 2
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize(("max_steps", "arrives"), [(4, True), (3, False), (1, False)])
+def test_an_ant_that_made_so_many_moves_as_it_may_is_lost_and_its_way_is_there(
+    max_steps: int, arrives: bool, order: str
+) -> None:
+    sound, trails, _ = walked(order, RING, ants=4, max_steps=max_steps)
+    assert sound
+    assert np.isfinite(trails.length).tolist() == [arrives] * 4
+    assert trails.steps.tolist() == trails.straight.tolist() == [max_steps] * 4
+    assert {tuple(moves) for moves in trails.moves[:, :max_steps].tolist()} <= {
+        (0, 0, 6, 6)[:max_steps],
+        (6, 6, 0, 0)[:max_steps],
+    }
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize(("max_steps", "length"), [(6, 2.0), (5, np.inf)])
+def test_moves_back_count(max_steps: int, length: float, order: str) -> None:
+    """Two moves west and back, then two east."""
+    _, trails, _ = walked(order, BETWEEN, ants=1, choose=look_far_west_first, steps_back=True, max_steps=max_steps)
+    assert trails.length.tolist() == [length]
+
+
+@compiled
+def look_far_west_first(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    """Go west as far as it gets, then back and east."""
+    if cell <= colony.start and colony.untouched[cell - 1] == 1.0 and colony.allowed[cell] >> 4 & 1:
+        return 4
+    return LOST if cell < colony.start else 0
 
 
 @compiled

@@ -54,6 +54,18 @@ class Raising(Heuristic):
     def eta(self, problem):
         raise ZeroDivisionError("too bad")
 '''
+INTERRUPTING = """
+import os, signal, sys
+
+class Interrupting:
+    def find_spec(self, name, path=None, target=None):
+        if name == "{module}":
+            os.kill(os.getpid(), signal.SIGINT)
+
+sys.meta_path.insert(0, Interrupting())
+"""
+"""Sends Ctrl-C when a module is about to be imported."""
+
 ENTRIES = """
 [acoexp.diffusion]
 listing = faulty_parts:Listing
@@ -159,6 +171,15 @@ def test_an_interrupted_sweep_keeps_its_finished_trials(tmp_path: Path) -> None:
     assert f"{len(finished)} of 40 trials finished" in out
     assert "acoexp: interrupted; what was finished is kept" in err
     assert "Traceback" not in err
+
+
+@posix
+@pytest.mark.parametrize("module", ["acoexp.command.main", "numba", "acoexp.errors"])
+def test_ctrl_c_while_the_program_is_read_is_one_line(module: str, tmp_path: Path) -> None:
+    """Whatever is being imported then."""
+    (tmp_path / "sitecustomize.py").write_text(INTERRUPTING.format(module=module), encoding="utf-8")
+    ended = run_acoexp("seed=1", *QUICK, cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)})
+    assert (ended.returncode, ended.stdout, ended.stderr) == (130, "", "acoexp: interrupted; nothing was begun\n")
 
 
 @posix

@@ -115,6 +115,17 @@ def test_a_file_that_is_no_store_is_refused_and_left_alone(
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == before
 
 
+def test_a_source_that_another_program_holds_is_told_to_be_locked(
+    elsewhere: Path, tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("acoexp.tracking.mlflow.database.BUSY", 0.1)
+    with closing(sqlite3.connect(elsewhere, isolation_level=None)) as holder:
+        holder.execute("BEGIN EXCLUSIVE")
+        said = refusal(str(elsewhere), "--into", str(tmp_path / "mlflow.db"), capsys=capsys)
+        holder.execute("ROLLBACK")
+    assert "database is locked; another program holds it" in said
+
+
 def test_a_store_is_not_merged_into_itself(elsewhere: Path, capsys: Capture) -> None:
     said = refusal(str(elsewhere), "--into", f"sqlite:///{elsewhere}", capsys=capsys)
     assert said.startswith("expected a store other than the one")

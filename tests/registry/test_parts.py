@@ -105,6 +105,16 @@ def test_a_broken_package_is_named_and_disturbs_nobody_else(
     assert str(caught.value).endswith(f"; {tmp_path}/broken_breeze.py:1: 1 / 0") == value.startswith("broken")
 
 
+@pytest.mark.parametrize("raised", ["SystemExit(0)", "GeneratorExit()", "BaseException('odd')"])
+def test_a_package_that_would_end_the_program_when_it_is_imported_is_broken_like_any_other(
+    raised: str, install_package: Install
+) -> None:
+    install_package("wild-parts", "[acoexp.post]\nending = wild_parts:X\n", {"wild_parts.py": f"raise {raised}\n"})
+    with pytest.raises(StrategyError, match=r"post 'ending' of package wild-parts 1\.0 cannot be imported from"):
+        find_part("post", "ending")
+    assert key_of_another("post", "none", "geometric") is not None
+
+
 def test_nothing_is_imported_before_it_is_asked_for(
     install: Install, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

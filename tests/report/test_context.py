@@ -118,8 +118,29 @@ def test_a_report_of_other_settings_or_of_unknown_ones_is_kept_under_its_date(
     write(tmp_path / "mine", "new", {"map": "yard"})
     kept = "mine-2024-05-01-12-30-15"
     assert pages(tmp_path) == {"mine": "new", kept: "old"}
-    said = f"the report that was in {tmp_path / 'mine'} is of other settings, and is kept: {tmp_path / kept}"
+    said = (
+        f"the report that was in {tmp_path / 'mine'} is of other settings, or was changed since, and is kept: "
+        f"{tmp_path / kept}"
+    )
     assert caplog.messages == [said]
+
+
+@pytest.mark.parametrize("change", ["added", "changed", "unmarked"])
+def test_a_report_to_which_a_person_did_anything_is_kept_under_its_date(change: str, tmp_path: Path) -> None:
+    write(tmp_path / "mine", "first", {"map": "yard"})
+    name = {"added": "notes.txt", "changed": "page", "unmarked": ".made-by.json"}[change]
+    (tmp_path / "mine" / name).write_text("mine", encoding="utf-8")
+    made_in_2024(tmp_path / "mine")
+    write(tmp_path / "mine", "second", {"map": "yard"})
+    assert (tmp_path / "mine-2024-05-01-12-30-15" / name).read_text("utf-8") == "mine"
+    assert pages(tmp_path)["mine"] == "second"
+
+
+def test_of_a_report_a_person_may_have_deleted_files(tmp_path: Path) -> None:
+    write(tmp_path / "mine", "first", {"map": "yard"})
+    (tmp_path / "mine" / "page").unlink()
+    write(tmp_path / "mine", "second", {"map": "yard"})
+    assert pages(tmp_path) == {"mine": "second"}
 
 
 def test_of_many_reports_of_one_second_all_are_kept(tmp_path: Path) -> None:

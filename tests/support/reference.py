@@ -59,6 +59,7 @@ class Colony:
     pheromone: str = "edges"
     order: str = "in_turn"
     dead_end: str = "lost"
+    max_steps: int | None = None
     source: str = "force_edge"
     obstacles: str = "sum"
 
@@ -200,8 +201,9 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
 
     def walk(path: Path) -> Iterator[None]:
         """Walk step by step; a path that does not end at the goal is that of a lost ant."""
-        visited = set(path)
-        while (cell := path[-1]) != grid.goal:
+        visited, made = set(path), 0
+        while (cell := path[-1]) != grid.goal and (colony.max_steps is None or made < colony.max_steps):
+            made += 1  # or it ends here
             if diffuse:
                 came = direction_of(path[-2], cell) if len(path) > 1 else None
                 diffuse(tau, cell, came, forces[cell], colony)

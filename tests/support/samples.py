@@ -60,7 +60,19 @@ def grids(largest: int = 40) -> st.SearchStrategy[Grid]:
 
 def settings_of(colony: Colony) -> dict[str, Any]:
     """Return what ``acoexp.solve`` must be told for the same colony."""
-    scalars = ("ants", "iterations", "alpha", "beta", "rho", "q", "tau0", "pheromone", "order", "dead_end")
+    scalars = (
+        "ants",
+        "iterations",
+        "alpha",
+        "beta",
+        "rho",
+        "q",
+        "tau0",
+        "pheromone",
+        "order",
+        "dead_end",
+        "max_steps",
+    )
     guided = {"guidance": colony.guidance} if colony.algo == "pf" else {}
     return {
         **{key: getattr(colony, key) for key in scalars},

@@ -13,9 +13,9 @@ from hydra.core.override_parser.types import ChoiceSweep, Override
 
 from acoexp.colony.scalars import ColonySettings
 from acoexp.command.options.flags import flags_parser, split_arguments, without_config_dir
-from acoexp.command.options.keys import JobKeys
+from acoexp.command.options.keys import OPTIONS, JobKeys
 from acoexp.command.options.quoting import hydra_text
-from acoexp.command.options.reading import check_texts, line_to_type, read, takes_text
+from acoexp.command.options.reading import check_options, check_texts, line_to_type, read, takes_text
 from acoexp.errors import SettingsError, shown
 from acoexp.parameters import fields_of
 from acoexp.registry.entries import GROUPS
@@ -69,8 +69,12 @@ def normalise(argv: list[str]) -> Arguments:
     for override in given:
         _require_value(override)
     overrides = [_quote_seeds(override) or override for override in given]
-    several = flags.multirun or any(override.startswith("hydra.mode=") for override in given)
+    mode = _mode(given)
+    if flags.multirun and mode == "RUN":
+        raise SettingsError("expected only one of --multirun and hydra.mode=RUN")
+    several = flags.multirun or mode == "MULTIRUN"
     parsed = read(overrides, several)
+    check_options(parsed)
     check_texts(overrides, several)
     overrides = list(map(_expand, overrides))
     _check_sizes(parsed, overrides)
@@ -88,6 +92,19 @@ def normalise(argv: list[str]) -> Arguments:
     # overrides first: an option with an optional value, such as --info, must not take one for its value
     argv = [*overrides, *(_folders(overrides) if runs else ()), *without_config_dir(options)]
     return Arguments(argv, flags.config_dir, flags.info, flags.cfg)
+
+
+def _mode(given: list[str]) -> str | None:
+    """Return what Hydra's own key says of a sweep.
+
+    Raises:
+        SettingsError: if it is not what Hydra knows.
+    """
+    said = [value for key, _, value in (override.partition("=") for override in given) if key == "hydra.mode"]
+    for value in said:
+        if value not in ("RUN", "MULTIRUN"):
+            raise SettingsError(f"hydra.mode: expected RUN or MULTIRUN; got {shown(value)}")
+    return said[-1] if said else None
 
 
 def _quote_seeds(override: str) -> str | None:
@@ -195,7 +212,10 @@ def _deferred(key: str, value: str) -> str:
 
 def _check_signs(argv: list[str]) -> None:
     """Refuse names that nothing can be written with, and a working directory that Hydra would misread."""
-    home = str(Path.cwd())
+    try:
+        home = str(Path.cwd())
+    except FileNotFoundError:
+        raise SettingsError("expected a working directory; the one that acoexp was started in is gone") from None
     for text in (*argv, home):
         try:
             text.encode()
@@ -213,7 +233,7 @@ def _require_value(override: str) -> None:
     key, _, value = override.lstrip("+~").partition("=")
     if not key:
         raise SettingsError(f"{override}: expected key=value")
-    if key in (*GROUPS, "algo", "tracking", "engine") and (value.lower() in ("", "null") or value[0] == "["):
+    if key in OPTIONS and (value.lower() in ("", "null") or value[0] == "["):
         raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
 
 

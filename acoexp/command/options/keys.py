@@ -5,8 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from acoexp.parameters import parameter
+from acoexp.registry.entries import GROUPS
 from acoexp.trial.seeds import HIGHEST_SEED
 from acoexp.trial.threads import MOST_THREADS
+
+OPTIONS = (*GROUPS, "algo", "tracking", "engine")
+"""Keys whose values are names of options."""
 
 
 @dataclass(frozen=True, kw_only=True)

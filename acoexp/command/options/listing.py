@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from acoexp.console.parameters import described_parameters
+from acoexp.console.plain import one_line
 from acoexp.errors import AcoexpError
 from acoexp.registry.entries import GROUPS, clash, entries, misplaced_entries, package_named, part_names
 from acoexp.registry.folders import missing_folders
@@ -32,7 +33,7 @@ def _preset(name: str) -> str:
     try:
         parts = find_preset(name).parts
     except AcoexpError as problem:
-        return f"{name}  BROKEN: {problem}"
+        return f"{name}  BROKEN: {one_line(str(problem))}"
     return f"{name}  package {preset_package(name)}: " + " ".join(f"{g}={part}" for g, part in parts.items())
 
 
@@ -46,7 +47,7 @@ def _part(group: str, name: str) -> list[str]:
         owner = find_part(group, name)
         parameters = described_parameters(owner, f"{group}.")
     except AcoexpError as problem:
-        return [f"{name}  BROKEN: {problem}"]
+        return [f"{name}  BROKEN: {one_line(str(problem))}"]
     contract = f", contract {owner.contract}" if hasattr(owner, "contract") else ""
     head = f"{name}  package {package_named(entry)}{contract}, {entry.value}"
     clashing = clash(group, name)

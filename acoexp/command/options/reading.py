@@ -19,7 +19,7 @@ from omegaconf import OmegaConf
 from omegaconf.errors import GrammarParseError
 
 from acoexp.colony.scalars import ColonySettings
-from acoexp.command.options.keys import JobKeys
+from acoexp.command.options.keys import OPTIONS, JobKeys
 from acoexp.command.options.quoting import hydra_text, shell_word
 from acoexp.errors import SettingsError, StrategyError, shown
 from acoexp.grid.field import FieldSettings
@@ -55,6 +55,20 @@ def read(overrides: Iterable[str], several: bool = False) -> list[Override]:
         SettingsError: for one that cannot be read.
     """
     return [_read(override, several) for override in overrides]
+
+
+def check_options(overrides: Iterable[Override]) -> None:
+    """Refuse what is read as a number or the like where an option is to be named, for which Hydra has no message.
+
+    Raises:
+        SettingsError: for the first of them.
+    """
+    for override in overrides:
+        for value in _values(override) if override.key_or_group in OPTIONS else ():
+            if value is not None and not isinstance(value, str):
+                raise SettingsError(
+                    f"{override.key_or_group}: expected one of the options that --help lists; got {shown(value)}"
+                )
 
 
 def check_texts(overrides: Iterable[str], several: bool) -> None:

@@ -19,6 +19,9 @@ from shlex import quote
 from acoexp.errors import TrackingError
 from acoexp.tracking.mlflow.database import BUSY, address_of, reading
 
+_TABLES = ("runs", "tags", "params", "metrics", "latest_metrics", "experiment_tags")
+"""Tables of MLflow's, beside that of the experiments, without which nothing can be kept."""
+
 
 def make_whole(file: Path, make: Callable[[Path], object]) -> None:
     """Make a database unless it is there; drafts of processes that were killed meanwhile are removed.
@@ -34,6 +37,10 @@ def make_whole(file: Path, make: Callable[[Path], object]) -> None:
     if file.is_dir():
         raise IsADirectoryError(f"{file} is a folder")
     file = file.resolve()  # a link stays one
+    if file.exists() and not file.is_file():  # a pipe or a device, in whose place nothing is put
+        raise FileExistsError(f"{file} is no file")
+    if not file.parent.is_dir():
+        raise FileNotFoundError(f"there is no folder {file.parent}")
     for left in file.parent.glob(f"{escape(_drafts(file))}*"):
         shutil.rmtree(left, ignore_errors=True)
     if _has_tables(file):
@@ -84,10 +91,11 @@ def _fault_of(file: Path) -> str | None:
     from alembic.util import CommandError
 
     script, version = ScriptDirectory(str(_migrations())), _version(file)
+    if not _has(file, "pragma_table_info('experiments') WHERE name = 'artifact_location'"):
+        return "has no experiments of MLflow's, so it is another program's, or damaged; name another file"
     if version in script.get_heads():
-        return None
-    if not _has(file, "sqlite_master WHERE name = 'experiments'"):
-        return "is another program's; name another file"
+        lacking = [table for table in _TABLES if not _has(file, f"sqlite_master WHERE name = '{table}'")]
+        return f"is damaged, as it lacks the table {lacking[0]}; put a copy of it there" if lacking else None
     if not _has(file, "experiments"):
         return "was left half-made by a process that was killed, with nothing in it; delete it and run this again"
     try:

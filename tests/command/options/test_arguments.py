@@ -103,6 +103,23 @@ def test_several_values_need_no_m_where_hydra_is_told_otherwise() -> None:
     assert overrides("hydra.mode=MULTIRUN", "seed=0-1") == ["hydra.mode=MULTIRUN", "seed=0,1"]
 
 
+@pytest.mark.parametrize(
+    ("argv", "said"),
+    [
+        (["hydra.mode=foo"], "hydra.mode: expected RUN or MULTIRUN; got 'foo'"),
+        (["hydra.mode=RUN", "-m"], "expected only one of --multirun and hydra.mode=RUN"),
+        (["algo=1"], "algo: expected one of the options that --help lists; got 1"),
+        (["heuristic=nan"], "heuristic: expected one of the options that --help lists; got nan"),
+        (["engine=true"], "engine: expected one of the options that --help lists; got True"),
+        (["-m", "map=env2,1.5"], "map: expected one of the options that --help lists; got 1.5"),
+    ],
+)
+def test_what_hydra_has_no_words_for_is_refused(argv: list[str], said: str) -> None:
+    with pytest.raises(SettingsError) as caught:
+        normalise(argv)
+    assert str(caught.value) == said
+
+
 @pytest.mark.parametrize("flag", ["--config-path", "--config-name", "-cp", "-cn", "--config-n"])
 def test_the_programs_own_configuration_cannot_be_replaced(flag: str) -> None:
     with pytest.raises(SettingsError, match=r"--config-(path|name): expected overrides.*--config-dir.*'x'"):

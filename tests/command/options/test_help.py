@@ -107,7 +107,7 @@ def test_neither_mlflow_nor_matplotlib_is_loaded_where_it_is_not_needed(
 
 def test_a_console_script_is_declared() -> None:
     (script,) = entry_points(group="console_scripts", name="acoexp")
-    assert script.value == "acoexp.command.main:main"
+    assert script.value == "acoexp.__main__:main"
 
 
 @pytest.mark.parametrize(

@@ -59,15 +59,15 @@ def test_a_preset_says_which_parts_it_consists_of(text: str) -> None:
 def test_what_is_broken_is_told_in_its_place_and_at_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
     def find(group: str, name: str, real: Any = find_part) -> Any:
         if name == "luo_wu":
-            raise StrategyError("luo_wu cannot be imported")
+            raise StrategyError("luo_wu cannot\n be imported \x1b[31m")
         return real(group, name)
 
     monkeypatch.setattr(listing, "find_part", find)
     monkeypatch.setattr(listing, "missing_folders", lambda: ["presets of package x: expected a folder"])
     text = parts_text()
-    assert "luo_wu  BROKEN: luo_wu cannot be imported" in section(text, "diffusion")
+    assert "luo_wu  BROKEN: luo_wu cannot be imported \\x1b[31m" in section(text, "diffusion")
     assert section(text, "broken") == [
-        "BROKEN: luo_wu cannot be imported",
+        "BROKEN: luo_wu cannot be imported \\x1b[31m",
         "BROKEN: presets of package x: expected a folder",
     ]
 

@@ -124,6 +124,25 @@ def test_a_link_to_a_database_stays_one(tmp_path: Path) -> None:
     assert [path.name for path in (tmp_path / "far").iterdir()] == ["y.db"]
 
 
+@pytest.mark.skipif(os.name != "posix", reason="pipes")
+@pytest.mark.parametrize("linked", [False, True])
+def test_in_the_place_of_a_pipe_or_a_device_no_database_is_put(linked: bool, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    file = tmp_path / "pipe"
+    if linked:
+        file = tmp_path / "link.db"
+        file.symlink_to(tmp_path / "pipe")
+    with pytest.raises(TrackingError, match=f"cannot be opened: {tmp_path}/pipe is no file$"):
+        Store(f"sqlite:///{file}").prepare()
+    assert (tmp_path / "pipe").is_fifo()
+
+
+def test_a_link_into_a_folder_that_is_not_there_is_told(tmp_path: Path) -> None:
+    (tmp_path / "link.db").symlink_to(tmp_path / "gone" / "x.db")
+    with pytest.raises(TrackingError, match=f"there is no folder {tmp_path}/gone$"):
+        Store(f"sqlite:///{tmp_path}/link.db").prepare()
+
+
 def test_a_folder_is_no_place_for_a_database(tmp_path: Path) -> None:
     with pytest.raises(IsADirectoryError, match="is a folder"):
         make_whole(tmp_path, one_table)
@@ -164,9 +183,42 @@ def test_a_store_of_a_newer_mlflow_wants_that(database: Path) -> None:
 def test_the_database_of_another_program_is_not_touched(tmp_path: Path) -> None:
     one_table(tmp_path / "x.db")
     before = (tmp_path / "x.db").read_bytes()
-    with pytest.raises(TrackingError, match=r"x\.db is another program's; name another file"):
+    with pytest.raises(
+        TrackingError, match=r"x\.db has no experiments of MLflow's, so it is another program's, or damaged"
+    ):
         Store(f"sqlite:///{tmp_path}/x.db").prepare()
     assert (tmp_path / "x.db").read_bytes() == before
+
+
+@pytest.mark.parametrize("versions", [[], ["CREATE TABLE alembic_version (version_num)"]])
+def test_the_database_of_another_program_that_knows_experiments_is_not_touched(
+    versions: list[str], tmp_path: Path
+) -> None:
+    file = tmp_path / "lab.db"
+    sql(file, "CREATE TABLE experiments (name)", "INSERT INTO experiments VALUES ('a')", *versions)
+    before = file.read_bytes()
+    with pytest.raises(TrackingError, match="is another program's, or damaged; name another file"):
+        Store(f"sqlite:///{file}").prepare()
+    assert file.read_bytes() == before
+
+
+@pytest.mark.parametrize("table", ["runs", "tags", "params", "metrics", "latest_metrics", "experiment_tags"])
+def test_a_store_that_lacks_a_table_is_refused_at_once_and_not_touched(table: str, database: Path) -> None:
+    Store(f"sqlite:///{database}").prepare()
+    sql(database, "PRAGMA foreign_keys = OFF", f"DROP TABLE {table}")
+    before = database.read_bytes()
+    with pytest.raises(TrackingError, match=f"is damaged, as it lacks the table {table}; put a copy of it there$"):
+        check_openable(database)
+    assert database.read_bytes() == before
+
+
+def test_a_store_without_experiments_is_refused_at_once_and_not_touched(database: Path) -> None:
+    Store(f"sqlite:///{database}").prepare()
+    sql(database, "PRAGMA foreign_keys = OFF", "DROP TABLE experiments")
+    before = database.read_bytes()
+    with pytest.raises(TrackingError, match="has no experiments of MLflow's"):
+        check_openable(database)
+    assert database.read_bytes() == before
 
 
 def test_a_database_that_is_gone_is_not_made_by_who_only_uses_it(tmp_path: Path) -> None:
