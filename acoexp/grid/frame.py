@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoexp.errors import MapError, shown
-
-if TYPE_CHECKING:
-    from acoexp.grid.grid import Cell
 
 _FAR = 2**31
 """Cells away at which a point is far outside of any map: a metre may be any double, a cell's number may not."""
@@ -60,7 +56,7 @@ class Frame:
         """Return the corners of a map in metres, float[4, 2], counterclockwise from the origin."""
         return self._placed(np.array([0, columns, columns, 0]), np.array([0, 0, self.rows, self.rows]))
 
-    def to_cell(self, x: float, y: float) -> Cell:
+    def to_cell(self, x: float, y: float) -> tuple[int, int]:
         """Return the cell (row, column) that a point in metres lies in, which may be outside of the map.
 
         A point on the border of two cells is in the one to the right of it, or above.
