@@ -1,11 +1,12 @@
 """``map=image``: a floor plan as an image, dark where no path may lead.
 
-A pixel is dark if the mean of its channels lies below ``threshold``. Where it is transparent the white ground shines
-through. ``scale`` x ``scale`` pixels are one cell, counted from the top left; at the right and below a cell may have
-fewer. A cell is blocked if any of its pixels is dark.
+A pixel is dark if the mean of its channels lies below ``threshold``; where it is transparent the white ground
+shines through. ``scale`` x ``scale`` pixels are one cell, counted from the top left; at the right and below a cell
+may have fewer. A cell is blocked if any of its pixels is dark.
 
-Where ``start`` or ``goal`` is not given a dot marks it, green for the start, red for the goal: pixels whose green
-(red) is at least 128, and at least twice each other channel. They are free. The dot's cell is that of its centroid.
+Where ``start`` or ``goal`` is not given a dot marks it, green for the start, red for the goal: pixels that touch,
+whose green (red) is at least 128 and at least twice each other channel. They are free. The cell of the dot's
+centroid is meant.
 """
 
 from __future__ import annotations
@@ -67,7 +68,7 @@ class Image(MapSource):
         cell = pixel[0] // self.scale, pixel[1] // self.scale
 
         def in_pixels(cell: Cell) -> str:
-            return str([index * self.scale + self.scale // 2 for index in cell])
+            return str([index * self.scale for index in cell])
 
         reason = (
             "an obstacle"
@@ -111,8 +112,8 @@ def _centroid(dots: NDArray[np.bool_], key: str, name: str) -> Cell:
 def _inside(pixel: Cell, key: str, name: str, shape: tuple[int, ...]) -> Cell:
     if not (0 <= pixel[0] < shape[0] and 0 <= pixel[1] < shape[1]):
         raise MapError(
-            f"map.{key}: expected a pixel from [0, 0] to [{shape[0] - 1}, {shape[1] - 1}], which image {name} has; got "
-            f"{list(pixel)}"
+            f"map.{key}: expected a pixel from [0, 0] to [{shape[0] - 1}, {shape[1] - 1}], which map {name} "
+            f"covers; got {list(pixel)}"
         )
     return pixel
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from acoexp.console.plain import one_line
 from acoexp.errors import MapError, shown
 from acoexp.maps.reading import read_image
 
@@ -44,8 +45,8 @@ def read_pixels(path: Path, key: str, most: int = MOST) -> NDArray[np.uint8]:
     limit = f"{key}: expected an image of at most {most / 1e6:.0f} megapixels; got {name}"
     try:
         with warnings.catch_warnings():
-            # Pillow has a limit of its own, which warns first
-            warnings.simplefilter("error", Image.DecompressionBombWarning)
+            # Pillow has a limit of its own, which is larger
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             image = Image.open(content, formats=_FORMATS)
             width, height = image.size
             if width * height > most:
@@ -58,10 +59,10 @@ def read_pixels(path: Path, key: str, most: int = MOST) -> NDArray[np.uint8]:
             return np.asarray(image.convert("RGBA"))
     except MapError:
         raise
-    except (Image.DecompressionBombWarning, Image.DecompressionBombError) as problem:
+    except Image.DecompressionBombError as problem:
         raise MapError(f"{limit}, which has more") from problem
     except Exception as problem:  # a decoder raises what it likes at a broken file
-        reason = "no such image" if isinstance(problem, UnidentifiedImageError) else str(problem)
+        reason = "no such image" if isinstance(problem, UnidentifiedImageError) else one_line(str(problem))
         raise MapError(
             f"{key}: expected an image that can be decoded, PNG, PGM, BMP, JPEG or TGA; got {name} ({reason})"
         ) from problem
