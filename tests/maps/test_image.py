@@ -147,7 +147,7 @@ def test_a_dot_touches_itself_at_corners_too(plan: Path) -> None:
          "the nearest free cell is 2 pixels away, at [2, 6]"),
         ({"goal": [6, 0]}, "map.goal: expected a pixel from [0, 0] to [5, 7], which map plan.png covers; got [6"),
         ({"goal": [0, -1]}, "map.goal: expected a pixel from [0, 0] to [5, 7]"),
-        ({"scale": 10**4}, "map plan.png: start [1, 1] is in a cell of 10000 x 10000 pixels with a dark one; and "),
+        ({"scale": 10**4}, "map plan.png: start [1, 1] is in a cell of 10000 x 10000 pixels with a dark one; "),
         ({"start": [4, 6]}, "map plan.png: start and goal are one cell, (4, 6); expected two"),
     ],
 )  # fmt: skip
