@@ -28,7 +28,7 @@ from mutations import FORMATS, mutated
 from acoexp import MapError
 
 SLOW = 5
-"""Seconds that reading a small file may take."""
+"""Seconds of a processor that reading a small file may take; waiting, ten times that."""
 LONGEST = 2000
 """Characters that a message may have."""
 
@@ -47,7 +47,8 @@ def main() -> None:
     arguments = parser.parse_args()
     memory = Path("/dev/shm")
     folder = Path(tempfile.mkdtemp(prefix="fuzz-", dir=memory if memory.is_dir() else None))
-    signal.signal(signal.SIGALRM, too_slow)
+    for kind in (signal.SIGALRM, signal.SIGPROF):
+        signal.signal(kind, too_slow)
     outcomes: Counter[str] = Counter()
     print(f"files lie in {folder}", flush=True)
     for sample in FORMATS.values():  # which also imports what reading them takes
@@ -77,7 +78,8 @@ def main() -> None:
 def read(name: str, draw: random.Random, folder: Path) -> str:
     """Read mutated files of a format; return whether they are a map, or are refused as they should."""
     files = mutated(draw, FORMATS[name].files)
-    signal.alarm(SLOW)
+    signal.setitimer(signal.ITIMER_PROF, SLOW)
+    signal.alarm(10 * SLOW)
     try:
         FORMATS[name].load(folder, files)
     except MapError as problem:
@@ -86,6 +88,7 @@ def read(name: str, draw: random.Random, folder: Path) -> str:
             raise AssertionError(f"a message that no terminal should show: {said!r}") from problem
         return "refused"
     finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
         signal.alarm(0)
     return "a map"
 

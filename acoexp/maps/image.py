@@ -21,7 +21,7 @@ from acoexp.errors import MapError
 from acoexp.grid.grid import Cell, Grid
 from acoexp.grid.moves import MOVE_RULES
 from acoexp.maps.ends import check_free
-from acoexp.maps.pixels import MOST_CELLS, read_pixels
+from acoexp.maps.pixels import read_pixels
 from acoexp.maps.reading import named_path
 from acoexp.maps.source import MapSource
 from acoexp.parameters import REQUIRED, parameter
@@ -45,7 +45,7 @@ class Image(MapSource):
         """Read the image and return the grid."""
         path = named_path(self.path, "map.path")
         name = printable(path.name)
-        colours = _on_white(read_pixels(path, "map.path"))
+        colours = _on_white(read_pixels(path, "map.path", self.scale))
         dark = colours.sum(axis=2, dtype=np.uint16) < 765 * self.threshold
         pixels = {}
         for key, given in (("start", self.start), ("goal", self.goal)):
@@ -56,10 +56,6 @@ class Image(MapSource):
             else:
                 pixels[key] = _inside(given, key, name, dark.shape)
         obstacles = _pooled(dark, self.scale)
-        if obstacles.size > MOST_CELLS:
-            raise MapError(
-                f"map {name}: expected at most {MOST_CELLS} cells; got {obstacles.size}: raise map.scale"
-            )
         start, goal = (self._cell(key, pixel, obstacles, name) for key, pixel in pixels.items())
         return Grid(obstacles, start=start, goal=goal, moves=self.moves, name=name)
 
@@ -101,11 +97,12 @@ def _centroid(dots: NDArray[np.bool_], key: str, name: str) -> Cell:
     """Return the pixel in the middle of a dot, if it is the only one of its colour."""
     from scipy.ndimage import label
 
-    count = label(dots, structure=np.ones((3, 3)))[1]
+    rows, cols = np.nonzero(dots)
+    around = dots[rows.min() : rows.max() + 1, cols.min() : cols.max() + 1] if len(rows) else dots[:0]
+    count = label(around, structure=np.ones((3, 3)))[1]
     if count != 1:
         expected = f"map {name}: expected map.{key} as [row, column] in pixels, or one {_DOTS[key][0]} dot"
         raise MapError(f"{expected}; got {f'{count} separate ones' if count else 'neither'}")
-    rows, cols = np.nonzero(dots)
     return int(rows.mean()), int(cols.mean())
 
 

@@ -24,33 +24,36 @@ _MODES = ("1", "L", "LA", "P", "PA", "RGB", "RGBA")
 """Pillow's modes of 8 bits a channel at most, in grey or colour."""
 
 
-def read_pixels(path: Path, key: str, most: int = MOST) -> NDArray[np.uint8]:
+def read_pixels(path: Path, key: str, scale: int = 1) -> NDArray[np.uint8]:
     """Return the pixels of an image's file.
 
     Args:
         path: The file.
         key: The key that it was given by, for messages.
-        most: Pixels that it may have.
+        scale: Side of a cell in pixels.
 
     Returns:
         uint8[rows, columns, 4]: red, green, blue, and alpha, which is 255 where nothing shines through.
 
     Raises:
-        MapError: if it is no readable file, no image of one of the formats or a broken one, has more pixels than
-            it may have, or channels of more than 8 bits.
+        MapError: if it is no readable file, no image of one of the formats or a broken one, has more than
+            ``MOST`` pixels or ``MOST_CELLS`` cells, or channels of more than 8 bits.
     """
     from PIL import Image, UnidentifiedImageError
 
     content, name = BytesIO(read_image(path, key)), shown(str(path))
-    limit = f"{key}: expected an image of at most {most / 1e6:.0f} megapixels; got {name}"
+    limit = f"{key}: expected an image of at most {MOST / 1e6:.0f} megapixels; got {name}"
     try:
         with warnings.catch_warnings():
             # Pillow has a limit of its own, which is larger
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             image = Image.open(content, formats=_FORMATS)
             width, height = image.size
-            if width * height > most:
+            if width * height > MOST:
                 raise MapError(f"{limit} ({width} x {height})")
+            if -(-width // scale) * -(-height // scale) > MOST_CELLS:
+                cells = f"{MOST_CELLS / 1e6:.0f} million cells, each of {scale} x {scale} pixels"
+                raise MapError(f"{key}: expected an image of at most {cells}; got {name} ({width} x {height})")
             if image.mode not in _MODES or any("16" in str(tile[3]) for tile in image.tile):
                 raise MapError(
                     f"{key}: expected an image in grey or colour of at most 8 bits a channel; got {name} "

@@ -18,7 +18,7 @@ from acoexp.grid.grid import Cell, Grid
 from acoexp.grid.moves import MOVE_RULES
 from acoexp.maps.ends import check_free
 from acoexp.maps.map_server import UNKNOWN, free_up_to, occupancy, parse_description
-from acoexp.maps.pixels import MOST_CELLS, read_pixels
+from acoexp.maps.pixels import read_pixels
 from acoexp.maps.reading import read_text
 from acoexp.maps.source import MapSource
 from acoexp.parameters import REQUIRED, parameter
@@ -45,7 +45,7 @@ class Ros(MapSource):
         path, text = read_text(self.path, "map.path")
         name = printable(path.name)
         description = parse_description(text, name)
-        pixels = read_pixels(path.parent / description.image, f"map {name}: image", MOST_CELLS)
+        pixels = read_pixels(path.parent / description.image, f"map {name}: image")
         found = occupancy(pixels, description)
         blocked = found > free_up_to(description)
         if self.unknown == "blocked":

@@ -200,7 +200,9 @@ def test_an_image_that_is_none_is_named(yard: Path) -> None:
     image.write_text(YARD[:20], encoding="utf-8")
     assert refusal(yard, **ENDS).startswith(f"{begin}an image that can be decoded, PNG, PGM, ")
     image.write_text("P5\n10000 10000\n255\n", encoding="utf-8")
-    assert refusal(yard, **ENDS).startswith(f"{begin}an image of at most 17 megapixels; got 'yard.pgm' (10000 x ")
+    assert refusal(yard, **ENDS).startswith(f"{begin}an image of at most 67 megapixels; got 'yard.pgm' (10000 x ")
+    image.write_text("P5\n5000 5000\n255\n", encoding="utf-8")
+    assert refusal(yard, **ENDS).startswith(f"{begin}an image of at most 17 million cells, each of 1 x 1 pixels; ")
     yard.write_text(YAML.replace("yard.pgm", '"a\\0b"'), encoding="utf-8")
     assert refusal(yard, **ENDS).startswith(f"{begin}a readable image; got ")
 
