@@ -176,7 +176,7 @@ def test_what_is_no_image_is_named(plan: Path) -> None:
 
 def test_a_plan_of_more_cells_than_a_map_may_have_is_refused(plan: Path) -> None:
     Pillow.new("L", (4097, 4096), 255).save(plan)
-    assert refusal(plan, start=[0, 0], goal=[9, 9]) == (
-        "map.path: expected an image of at most 17 million cells, each of 1 x 1 pixels; got 'plan.png' (4097 x 4096)"
+    assert refusal(plan, start=[0, 0], goal=[9, 9]).endswith(
+        "an image of at most 17 million cells, each of 1 x 1 pixels; got 'plan.png' (4097 x 4096)"
     )
     assert load(plan, start=[0, 0], goal=[99, 99], scale=50).shape == (82, 82)
