@@ -18,8 +18,16 @@ import numpy as np
 
 from acoexp.errors import SettingsError, did_you_mean, shown
 
-_KINDS = (float, int, str, bool, tuple[str, ...], tuple[int, int])
-"""The types that a parameter may have, each also with ``| None``."""
+_KINDS: dict[Any, str] = {
+    float: "a number",
+    int: "a whole number",
+    str: "a text",
+    bool: "true or false",
+    tuple[str, ...]: "a list of texts",
+    tuple[int, int]: "a pair [row, column]",
+    tuple[float, float]: "a pair [x, y]",
+}
+"""The types that a parameter may have, each also with ``| None``, and what messages call them."""
 
 REQUIRED = "???"
 """Default of a parameter that must be given; also OmegaConf's mark for a missing value."""
@@ -124,8 +132,8 @@ def check_declarations(owner: type) -> None:
         if _kind(hints[field.name]) not in _KINDS:
             known = ", ".join(str(getattr(kind, "__name__", kind)) for kind in (float, int, str, bool))
             raise SettingsError(
-                f"{field.name}: expected one of the types {known}, tuple[str, ...] and tuple[int, int], or one of "
-                f"them | None; got {hints[field.name]}"
+                f"{field.name}: expected one of the types {known}, tuple[str, ...], tuple[int, int] and "
+                f"tuple[float, float], or one of them | None; got {hints[field.name]}"
             )
 
 
@@ -134,8 +142,7 @@ def expected(hint: Any, field: dataclasses.Field[Any]) -> str:
     rules = field.metadata
     if rules["choices"]:
         return "one of: " + ", ".join(rules["choices"])
-    nouns = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
-    words = {**nouns, tuple[str, ...]: "a list of texts"}.get(_kind(hint), "a pair [row, column]")
+    words = _KINDS[_kind(hint)]
     if rules["minimum"] is not None and rules["maximum"] is not None:
         return f"{words} from {_shown(rules['minimum'])} to {_shown(rules['maximum'])}"
     if rules["minimum"] is not None:
@@ -172,7 +179,7 @@ def _converted(value: Any, kind: Any) -> Any:
     if _is_missing(value):
         return None
     if typing.get_origin(kind) is tuple:
-        return _texts(value) if kind == tuple[str, ...] else _pair(value)
+        return _texts(value) if kind == tuple[str, ...] else _pair(value, typing.get_args(kind)[0])
     if isinstance(value, np.generic):
         item = value.item()  # a long double stays one
         return _converted(float(item) if isinstance(item, np.floating) else item, kind)
@@ -193,12 +200,12 @@ def _is_missing(value: Any) -> bool:
     return isinstance(value, str) and value == REQUIRED
 
 
-def _pair(value: Any) -> tuple[int, int] | None:
-    """Return a cell as a tuple (row, col) of whole numbers, or None."""
+def _pair(value: Any, kind: type) -> tuple[Any, Any] | None:
+    """Return a pair as a tuple of two numbers of one kind, or None."""
     if not isinstance(value, Sequence | np.ndarray) or isinstance(value, str) or len(value) != 2:
         return None
-    row, col = (_converted(part, int) for part in value)
-    return None if row is None or col is None else (row, col)
+    first, second = (_converted(part, kind) for part in value)
+    return None if first is None or second is None else (first, second)
 
 
 def _texts(value: Any) -> tuple[str, ...] | None:

@@ -28,6 +28,7 @@ class Sample:
     mode: str = parameter("sum", "which way", choices=("sum", "nearest"))
     rule: str | None = parameter(None, "which rule, if any", choices=("free", "no_cut"))
     cell: tuple[int, int] | None = parameter(None, "a cell, if any")
+    point: tuple[float, float] | None = parameter(None, "a point in metres, if any")
     maps: tuple[str, ...] = parameter(("a", "b"), "some names")
 
 
@@ -51,7 +52,7 @@ def refusal(values: dict[str, Any], owner: type = Sample, prefix: str = "") -> s
 
 
 def test_parameters_are_listed_in_order_of_declaration() -> None:
-    names = ["share", "reach", "gain", "shift", "ants", "loud", "mode", "rule", "cell", "maps"]
+    names = ["share", "reach", "gain", "shift", "ants", "loud", "mode", "rule", "cell", "point", "maps"]
     assert list(fields_of(Sample)) == list(defaults_of(Sample)) == names
     assert defaults_of(Sample)["share"] == 0.5
     assert fields_of(Sample)["share"].metadata["meaning"] == "a share"
@@ -72,7 +73,8 @@ def test_what_is_not_said_takes_its_default() -> None:
         ("ants", 1, 1), ("ants", np.int64(100), 100), ("ants", np.uint8(7), 7),
         ("loud", True, True), ("mode", "nearest", "nearest"), ("rule", None, None), ("rule", "free", "free"),
         ("cell", None, None), ("cell", [1, 2], (1, 2)), ("cell", (np.int64(1), 2), (1, 2)),
-        ("cell", np.array([1, 2]), (1, 2)), ("maps", ["x", "y z"], ("x", "y z")), ("maps", [], ()),
+        ("cell", np.array([1, 2]), (1, 2)), ("point", [-1.5, 2], (-1.5, 2.0)), ("point", np.ones(2), (1.0, 1.0)),
+        ("maps", ["x", "y z"], ("x", "y z")), ("maps", [], ()),
     ],
 )  # fmt: skip
 def test_values_become_what_is_declared(key: str, value: Any, becomes: Any) -> None:
@@ -111,6 +113,10 @@ def test_values_become_what_is_declared(key: str, value: Any, becomes: Any) -> N
         ("cell", [1, True], "a pair [row, column]"),
         ("cell", "12", "a pair [row, column]"),
         ("cell", 12, "a pair [row, column]"),
+        ("point", [1.0], "a pair [x, y]"),
+        ("point", [1.0, float("nan")], "a pair [x, y]"),
+        ("point", [1.0, float("inf")], "a pair [x, y]"),
+        ("point", [True, 1.0], "a pair [x, y]"),
         ("maps", "x", "a list of texts"),
         ("maps", ["x", 1], "a list of texts"),
     ],

@@ -10,6 +10,7 @@ import hashlib
 import json
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, chdir, nullcontext
+from dataclasses import asdict
 from functools import lru_cache
 from io import BytesIO
 from itertools import count
@@ -23,6 +24,7 @@ from hydra.core.singleton import Singleton
 from acoexp.command.results.records import BATCH, TRIAL
 from acoexp.console.whole import write_whole
 from acoexp.errors import SettingsError
+from acoexp.grid.frame import Frame
 from acoexp.grid.grid import Grid
 
 
@@ -94,6 +96,7 @@ class Handover(metaclass=Singleton):
 def _packed(grid: Grid) -> bytes:
     """Return a map as NumPy's archive, which holds no code."""
     about = {key: getattr(grid, key) for key in ("start", "goal", "moves", "name", "metadata")}
+    about["frame"] = None if grid.frame is None else asdict(grid.frame)
     buffer = BytesIO()
     text = json.dumps(about, default=str).encode()
     np.savez_compressed(buffer, obstacles=grid.obstacles, about=np.frombuffer(text, np.uint8))
@@ -106,4 +109,7 @@ def _unpacked(file: Path, written: int) -> Grid:
     with np.load(file, allow_pickle=False) as archive:
         about = json.loads(archive["about"].tobytes())
         start, goal = tuple(about.pop("start")), tuple(about.pop("goal"))
-        return Grid(archive["obstacles"], start=start, goal=goal, **about)
+        frame = about.pop("frame", None)
+        if frame is not None:
+            frame = Frame(**{**frame, "origin": tuple(frame["origin"])})
+        return Grid(archive["obstacles"], start=start, goal=goal, frame=frame, **about)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoexp.errors import MapError, shown
+from acoexp.grid.frame import Frame
 from acoexp.grid.moves import DIRECTIONS, MOVE_RULES, allowed_moves, path_length
 from acoexp.grid.optimum import shortest_path
 
@@ -33,10 +34,12 @@ class Grid:
         moves: Rule for diagonals: ``free``, ``no_squeeze`` or ``no_cut`` (see :mod:`acoexp.grid.moves`).
         name: What the map is called in results and messages.
         metadata: Remarks that travel with the map, such as where it comes from.
+        frame: Where the cells lie in metres, of a map that says it. No planner sees it, and no digest has it.
 
     Raises:
         MapError: if the array is empty, not two-dimensional, or holds anything but 0 and 1; if start or
-            goal lie outside or on an obstacle, or are one cell; if no way leads from one to the other.
+            goal lie outside or on an obstacle, or are one cell; if no way leads from one to the other; if the
+            frame is of another number of rows.
     """
 
     obstacles: NDArray[np.bool_]
@@ -45,6 +48,7 @@ class Grid:
     moves: str
     name: str
     metadata: dict[str, Any] = field(repr=False)
+    frame: Frame | None = None
 
     def __init__(
         self,
@@ -55,6 +59,7 @@ class Grid:
         moves: str = "no_squeeze",
         name: str = "array",
         metadata: dict[str, Any] | None = None,
+        frame: Frame | None = None,
     ) -> None:
         try:
             occupied = _as_occupancy(obstacles, name)
@@ -66,6 +71,7 @@ class Grid:
                 "moves": moves,
                 "name": name,
                 "metadata": dict(metadata or {}),
+                "frame": frame,
             }
             for key, value in values.items():
                 object.__setattr__(self, key, value)
@@ -79,6 +85,8 @@ class Grid:
             rules = ", ".join(MOVE_RULES)
             raise MapError(f"map {self.name}: moves: expected one of: {rules}; got {shown(self.moves)}")
         rows, cols = self.shape
+        if self.frame is not None and self.frame.rows != rows:
+            raise MapError(f"map {self.name}: frame: expected one of {rows} rows; got one of {self.frame.rows}")
         for key, (row, col) in (("start", self.start), ("goal", self.goal)):
             if not (0 <= row < rows and 0 <= col < cols):
                 raise MapError(

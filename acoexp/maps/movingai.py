@@ -79,7 +79,7 @@ class MovingAI(MapSource):
             (rows, cols), (height, width) = shape, row.shape
             raise MapError(
                 f"map.scenario: expected one for {name}, {cols} x {rows} cells; {printable(path.name)} is for "
-                f"{row.map}, {width} x {height}"
+                f"{shown(row.map)}, {shown(width)} x {shown(height)}"
             )
         return row
 

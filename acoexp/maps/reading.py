@@ -1,4 +1,4 @@
-"""Reading a map's file: whole, if it is a file, and no larger than a map can be."""
+"""Reading a map's file: whole, if it is a file, and no larger than a map or its image can be."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from acoexp.errors import MapError, shown
 
 LARGEST = 8 * 2**20
 """Bytes that a map's file may have: 2048 x 2048 cells, a sign and a blank each."""
+
+LARGEST_IMAGE = 2**28
+"""Bytes that an image may have: four for each of the pixels that it may have (see ``pixels.MOST``)."""
 
 _KINDS = {
     stat.S_IFDIR: "a folder",
@@ -31,28 +34,55 @@ def read_text(text: str, key: str) -> tuple[Path, str]:
     Raises:
         MapError: if it is no readable file of text in UTF-8, or larger than ``LARGEST``.
     """
+    path = named_path(text, key)
     try:
-        path = Path(text).expanduser()
-        return path, _content(path, text, key).decode("utf-8-sig")
-    except MapError:
-        raise
+        return path, _content(path, text, key, LARGEST, "text file").decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         raise MapError(f"{key}: expected a text file in UTF-8; got {shown(text)}") from problem
-    except (OSError, ValueError, RuntimeError) as problem:
-        raise _refusal(key, text, getattr(problem, "strerror", None) or str(problem)) from problem
 
 
-def _content(path: Path, text: str, key: str) -> bytes:
-    kind = _KINDS.get(stat.S_IFMT(path.stat().st_mode))
-    if kind is not None:
-        raise _refusal(key, text, kind)
-    # some files of the system's have nothing to read yet, and would be waited for
-    with open(path, "rb", opener=lambda name, flags: os.open(name, flags | os.O_NONBLOCK)) as file:
-        content = file.read(LARGEST + 1) or b""
-    if len(content) > LARGEST:
-        raise _refusal(key, text, f"more than {LARGEST // 2**20} MiB, the most that a map may have")
+def read_image(path: Path, key: str) -> bytes:
+    """Return what is in a file that shall be an image.
+
+    Args:
+        path: The file.
+        key: The key that it was given by, for messages.
+
+    Raises:
+        MapError: if it is no readable file, or larger than ``LARGEST_IMAGE``.
+    """
+    return _content(path, str(path), key, LARGEST_IMAGE, "image")
+
+
+def named_path(text: str, key: str) -> Path:
+    """Return the path that a text names, ``~`` being the home directory.
+
+    Raises:
+        MapError: for a home directory that nobody has.
+    """
+    try:
+        return Path(text).expanduser()
+    except RuntimeError as problem:
+        raise _refusal(key, text, str(problem), "file") from problem
+
+
+def _content(path: Path, text: str, key: str, largest: int, what: str) -> bytes:
+    """Return what is in a file, if it is one."""
+    try:
+        kind = _KINDS.get(stat.S_IFMT(path.stat().st_mode))
+        if kind is not None:
+            raise _refusal(key, text, kind, what)
+        # some files of the system's have nothing to read yet, and would be waited for
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | os.O_NONBLOCK)) as file:
+            content = file.read(largest + 1) or b""
+    except MapError:
+        raise
+    except (OSError, ValueError) as problem:
+        raise _refusal(key, text, getattr(problem, "strerror", None) or str(problem), what) from problem
+    if len(content) > largest:
+        raise _refusal(key, text, f"more than {largest // 2**20} MiB, the most that a map may have", what)
     return content
 
 
-def _refusal(key: str, text: str, reason: str) -> MapError:
-    return MapError(f"{key}: expected a readable text file; got {shown(text)} ({reason})")
+def _refusal(key: str, text: str, reason: str, what: str) -> MapError:
+    return MapError(f"{key}: expected a readable {what}; got {shown(text)} ({reason})")

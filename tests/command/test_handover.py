@@ -14,6 +14,7 @@ from acoexp import Grid
 from acoexp.command.handover import Handover
 from acoexp.command.results.records import BATCH, TRIAL
 from acoexp.errors import SettingsError
+from acoexp.grid import Frame
 from acoexp.maps import parse_map
 
 CONFIG = {"name": "file", "path": "yard.txt", "moves": None}
@@ -23,7 +24,7 @@ YARD = parse_map("; moves: no_cut\n; origin: drawn by hand\n..S\n.#.\nG..\n", na
 def everything(grid: Grid | None) -> dict[str, Any]:
     """Return all that a map is."""
     assert grid is not None
-    names = ("digest", "name", "start", "goal", "moves", "metadata", "optimum_pair")
+    names = ("digest", "name", "start", "goal", "moves", "metadata", "frame", "optimum_pair")
     return {name: getattr(grid, name) for name in names}
 
 
@@ -32,6 +33,9 @@ def test_a_map_that_was_put_is_found_again_with_all_that_it_says_of_itself(
 ) -> None:
     handover.put_maps(tmp_path, [(CONFIG, YARD), ({**CONFIG, "path": "other"}, Grid([[0, 0]], name="other"))])
     assert everything(handover.map_of(CONFIG)) == everything(YARD)
+    frame = Frame(rows=1, resolution=0.05, origin=(-10.0, 2.5), yaw=0.3)
+    handover.put_maps(tmp_path, [(CONFIG, YARD), ({}, Grid([[0, 0]], frame=frame))])
+    assert everything(handover.map_of({}))["frame"] == frame
     assert handover.map_of(dict(reversed(CONFIG.items()))) is handover.map_of(CONFIG)
 
 

@@ -26,7 +26,7 @@ from acoexp.registry.folders import conf_dir
     [
         ("algo=nope", "algo: expected one of: aco, acs, eas, mmas, nav, pd, pdg, pf, rank; got 'nope'"),
         ("diffusion=nope", "diffusion: expected one of: gaussian, luo_wu, none; got 'nope'"),
-        ("map=nope", "map: expected one of: env1, env2, fig13, file, movingai; got 'nope'"),
+        ("map=nope", "map: expected one of: env1, env2, fig13, file, image, movingai, ros; got 'nope'"),
         ("nope=1", "nope is not a known key"),
         ("+diffusion.nope=1", "diffusion.nope is not a known key; expected one of: diffusion.gamma"),
         ("ants=abc", "ants: expected a whole number from 1 to 100000; got 'abc'"),
@@ -166,7 +166,8 @@ def test_every_other_bad_setting_is_refused_by_the_same_check(given: str, said: 
         ("diffusion=gausian", "diffusion: expected one of: gaussian, luo_wu, none; got 'gausian'; did you mean "),
         (
             "map=gaussian",
-            "map: expected one of: env1, env2, fig13, file, movingai; got 'gaussian'; there is diffusion=",
+            "map: expected one of: env1, env2, fig13, file, image, movingai, ros; got 'gaussian'; "
+            "there is diffusion=",
         ),
     ],
 )

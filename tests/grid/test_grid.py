@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from acoexp import Grid, MapError
+from acoexp.grid import Frame
 
 OPEN = np.zeros((3, 4), dtype=int)
 PATH = [(0, 0), (1, 1), (2, 2), (2, 3)]
@@ -153,8 +154,17 @@ def test_the_digest_changes_with_everything_a_planner_sees(other: Grid) -> None:
     assert other.digest != Grid(OPEN).digest
 
 
-def test_the_digest_does_not_change_with_name_and_remarks() -> None:
-    assert Grid(OPEN, name="other", metadata={"origin": "here"}).digest == Grid(OPEN.astype(bool)).digest
+def test_the_digest_does_not_change_with_name_remarks_and_frame() -> None:
+    other = Grid(OPEN, name="other", metadata={"origin": "here"}, frame=Frame(rows=3, resolution=0.05))
+    assert other.digest == Grid(OPEN.astype(bool)).digest
+
+
+def test_a_frame_is_kept_and_sent_along_if_it_is_one_for_the_map() -> None:
+    frame = Frame(rows=3, resolution=0.05, origin=(-10.0, 2.0), yaw=0.5)
+    assert Grid(OPEN).frame is None
+    assert pickle.loads(pickle.dumps(Grid(OPEN, frame=frame))).frame == frame
+    said = refusal(OPEN, frame=Frame(rows=4, resolution=0.05))
+    assert said == "map array: frame: expected one of 3 rows; got one of 4"
 
 
 @pytest.mark.parametrize(

@@ -136,6 +136,11 @@ def test_what_is_no_map_is_named(yard: Path, text: str, said: str) -> None:
             "map.scenario: expected one for yard.map, 4 x 3 cells; ",
         ),
         (
+            f"version 1\n{ROW.replace('yard', 'a' + chr(27))}\n",
+            0,
+            "map.scenario: expected one for yard.map, 4 x 3 cells; yard.map.scen is for 'a\\x1b.map', 4 x 3",
+        ),
+        (
             f"version 1\n{ROW.replace('4', '5')}\n",
             0,
             "map.scenario: expected one for yard.map, 4 x 3 cells; yard.map.scen is",

@@ -6,7 +6,6 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
-import yaml
 from hydra.core.config_loader import ConfigLoader
 from hydra.core.object_type import ObjectType
 from hydra.errors import HydraException
@@ -15,6 +14,7 @@ from omegaconf import OmegaConf
 from yaml import YAMLError
 
 from acoexp.command.options.trust import check_option
+from acoexp.console.bounded import check_bounded
 from acoexp.registry.folders import plugin_conf_dirs
 from acoexp.registry.presets import find_preset
 
@@ -100,21 +100,7 @@ def read_bounded(file: Path) -> str:
     if len(content) > _LARGEST:
         raise ValueError(f"it has more than {_LARGEST // 2**20} MiB")
     text = content.decode("utf-8")
-    sizes: dict[int, int | None] = {}
-
-    def size(node: yaml.Node | None) -> int:
-        if node is None or isinstance(node, yaml.ScalarNode):
-            return 1
-        if id(node) not in sizes:
-            sizes[id(node)] = None
-            inner = [part for pair in node.value for part in (pair if isinstance(pair, tuple) else (pair,))]
-            sizes[id(node)] = 1 + sum(map(size, inner))
-        known = sizes[id(node)]
-        if known is None or known > _MOST_VALUES:
-            raise ValueError("its aliases make it endless, or larger than any option")
-        return known
-
-    size(yaml.compose(text, Loader=yaml.SafeLoader))
+    check_bounded(text, _MOST_VALUES)
     return text
 
 
