@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 
 from acoexp.colony.compiled import compiled
+from acoexp.colony.orders import ORDERS
 from acoexp.colony.pheromone import refresh, reset
 from acoexp.colony.random import seed_stream
 from acoexp.colony.state import Kernel, Kernels
 from acoexp.colony.trails import copy_trail, leads_to_goal, read_cells, write_cells
-from acoexp.colony.walk import Order, idle
+from acoexp.colony.walk import idle
 
 NO_PATH = -1
 """What the loop returns if a choice made moves that are not allowed, or never came to an end."""
@@ -27,14 +28,15 @@ STOPPED = -2
 """What the loop returns if it was told to stop."""
 
 
-def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
+def make_loop(order: str, steps_back: bool, kernels: Kernels) -> Kernel:
     """Return the loop over these kernels, its ants walking in this order, compiled at its first call.
 
     It takes ``(room, record, seed)``: what it works on, a :class:`~acoexp.colony.state.Room`; the record to fill;
     the seed, uint64. It returns 0; or the cycle in which the post-optimiser returned what is no path; or
     ``NO_PATH``, ``STOPPED``, ``UNSOUND``.
     """
-    walk_together, walk = order(kernels.choice, kernels.diffusion, steps_back)
+    walk_together, walk = ORDERS[order].walk(kernels.choice, kernels.diffusion, steps_back)
+    begin_facing, close_facing = ORDERS[order].facing(kernels.update)
     polish = idle if kernels.post is None else _polish_by(kernels.post)
     update = kernels.update
 
@@ -42,6 +44,7 @@ def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
     def run(room: Any, record: Any, seed: Any) -> int:
         colony, own, raw, final, best = room.colony, room.own, room.raw, room.final, room.best
         _begin(room, record, seed)
+        begin_facing(room)
         for cycle in range(colony.iterations):
             if colony.stop[0]:
                 return STOPPED
@@ -51,7 +54,7 @@ def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
             for ant in range(colony.ants):
                 if not walk(room, ant):
                     return NO_PATH
-                record.ant_steps[0] += raw.steps[ant] + 2 * room.given_up.number[ant]  # there and back
+                record.ant_steps[0] += room.made[ant]
                 if raw.length[ant] < np.inf:
                     if not polish(room, ant):
                         return cycle + 1
@@ -61,6 +64,7 @@ def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
             _note_best(raw, final, best, record, cycle)
             update(colony, own.update, raw, final, best)
             refresh(colony)
+            close_facing(room)
         if colony.unsound[0]:
             return UNSOUND
         for row in range(2):

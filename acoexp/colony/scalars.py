@@ -32,8 +32,8 @@ class ColonySettings:
     )
     order: str = parameter(
         "in_turn",
-        "how the ants of a cycle walk: one after another, or one step each in turn",
-        choices=("in_turn", "lock_step"),
+        "how the ants of a cycle walk: one after another, one step each in turn, or in pairs from both ends",
+        choices=("in_turn", "lock_step", "two_ended"),
     )
     dead_end: str = parameter(
         "lost",

@@ -118,8 +118,8 @@ class GivenUp(NamedTuple):
     """Cells that ants stepped back from, which are on no trail and stay tabu until the ant's walk is over.
 
     Attributes:
-        cells: int32[rows, cells]: a row for each ant where all walk together, else one.
-        number: int64[ants], how many of them each ant gave up.
+        cells: int32[rows, cells]: a row for each ant that walks at the same time.
+        number: int64[rows], how many of them each ant gave up.
     """
 
     cells: NDArray[np.int32]
@@ -158,13 +158,48 @@ class Prepared(NamedTuple):
     own: Own
 
 
+class Pair(NamedTuple):
+    """Two ants that look for each other: of each array a row is the one's from the start, one the other's.
+
+    Attributes:
+        cell: int64[2], where each is.
+        walks: bool[2], whether it walks on.
+        place: int32[2, cells], after how many moves it came to a cell, -1 where that is not on its way.
+    """
+
+    cell: NDArray[np.int64]
+    walks: NDArray[np.bool_]
+    place: NDArray[np.int32]
+
+
+class Facing(NamedTuple):
+    """The colony at the goal, where ants set out from both ends; to it the goal is the start.
+
+    Attributes:
+        colony: The colony; its cycle, random numbers and marks are those of the one at the start.
+        pair: The ants that walk.
+        own, initial: As in ``Prepared``, for the way back.
+        raw, final, best: As in ``Room``, each path from goal to start.
+    """
+
+    colony: Colony
+    pair: Pair
+    own: Own
+    initial: NDArray[np.float64]
+    raw: Trails
+    final: Trails
+    best: Trails
+
+
 class Room(NamedTuple):
     """What the loop works on: one thread's memory, used for one trial after the other.
 
     Attributes:
         colony: The colony.
         crowd: Its ants, where they walk together; else None.
+        facing: The colony at the goal, where ants set out from both ends; else None.
         given_up: What they stepped back from.
+        made: int64[ants], the moves that each ant of the cycle made, those back too.
         own: The parts' own states.
         initial: The initial pheromone, as in ``Prepared``.
         raw, final: The ways of a cycle's ants, as walked and as optimised; one object if there is no
@@ -175,7 +210,9 @@ class Room(NamedTuple):
 
     colony: Colony
     crowd: Crowd | None
+    facing: Facing | None
     given_up: GivenUp
+    made: NDArray[np.int64]
     own: Own
     initial: NDArray[np.float64]
     raw: Trails

@@ -22,7 +22,8 @@ from acoexp.colony.state import BACK, LOST, NO_WAY_HERE, Colony, Kernel
 from acoexp.colony.tabu import forget, touch
 from acoexp.colony.trails import measure
 
-Order = Callable[[Kernel, Kernel, bool], tuple[Kernel, Kernel]]
+Walk = Callable[[Kernel, Kernel, bool], tuple[Kernel, Kernel]]
+"""Makes the two kernels of choice, diffusion, and whether ants step back."""
 
 
 @compiled
@@ -32,19 +33,19 @@ def idle(*_: Any) -> bool:
 
 
 @compiled
-def _is_open(allowed: Any, move: Any) -> Any:
+def is_allowed(allowed: Any, move: Any) -> Any:
     """Tell whether a move is among the allowed ones; a number that is no direction is not."""
     return 0 <= move < 8 and allowed >> np.uint8(move) & 1
 
 
 @compiled
-def _leaves(move: Any, steps_back: Any) -> Any:
+def leaves(move: Any, steps_back: Any) -> Any:
     """Tell whether an ant gives its last move back."""
     return move == BACK or (steps_back and move == LOST)
 
 
 @compiled
-def _came_by(raw: Any, ant: Any, steps: Any) -> Any:
+def came_by(raw: Any, ant: Any, steps: Any) -> Any:
     """Return the direction of an ant's last move, of so many."""
     return np.int64(raw.moves[ant, steps - 1]) if steps > 0 else NO_WAY_HERE
 
@@ -63,27 +64,27 @@ def in_turn(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, 
         while cell != colony.goal and steps < limit:
             diffuse(colony, own.diffusion, ant, cell, came)
             move = choose(colony, own.choice, ant, cell, came)
-            if _is_open(colony.allowed[np.uintp(cell)], move):
+            if is_allowed(colony.allowed[np.uintp(cell)], move):
                 raw.moves[np.uintp(ant), np.uintp(steps)] = move
                 steps += 1
                 straight += 1 - (move & 1)
                 cell += colony.offsets[np.uintp(move)]
                 touch(colony, cell)
                 came = move
-            elif steps > 0 and _leaves(move, steps_back):
+            elif steps > 0 and leaves(move, steps_back):
                 given_up.cells[0, left] = cell
                 left += 1
                 limit = min(colony.max_steps - 2 * left, raw.moves.shape[1])  # each was gone to and left
-                cell -= colony.offsets[_came_by(raw, ant, steps)]
-                straight -= 1 - (_came_by(raw, ant, steps) & 1)
+                cell -= colony.offsets[came_by(raw, ant, steps)]
+                straight -= 1 - (came_by(raw, ant, steps) & 1)
                 steps -= 1
-                came = _came_by(raw, ant, steps)
+                came = came_by(raw, ant, steps)
             else:
                 break
         measure(raw, ant, steps, straight)
         if cell != colony.goal:
             raw.length[ant] = np.inf
-        given_up.number[ant] = left
+        room.made[ant] = steps + 2 * left
         forget(colony, raw, ant, given_up.cells[0], left)
         return cell == colony.goal or steps >= limit or LOST <= move <= BACK
 
@@ -97,16 +98,16 @@ def lock_step(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel
     def step(colony: Any, room: Any, ant: Any) -> Any:
         crowd, own, raw, given_up = room.crowd, room.own, room.raw, room.given_up
         cell, steps = crowd.cell[ant], raw.steps[ant]
-        came = _came_by(raw, ant, steps)
+        came = came_by(raw, ant, steps)
         diffuse(colony, own.diffusion, ant, cell, came)
         move = choose(colony, own.choice, ant, cell, came)
-        if _is_open(colony.allowed[cell], move):
+        if is_allowed(colony.allowed[cell], move):
             raw.moves[ant, steps] = move
             raw.steps[ant] += 1
             raw.straight[ant] += 1 - (move & 1)
             cell += colony.offsets[move]
             touch(colony, cell)
-        elif steps > 0 and _leaves(move, steps_back):
+        elif steps > 0 and leaves(move, steps_back):
             given_up.cells[ant, given_up.number[ant]] = cell
             given_up.number[ant] += 1
             raw.steps[ant] -= 1
@@ -137,15 +138,13 @@ def lock_step(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel
                     walking |= crowd.walks[ant]
         for ant in range(colony.ants):
             measure(raw, ant, raw.steps[ant], raw.straight[ant])
+            room.made[ant] = raw.steps[ant] + 2 * given_up.number[ant]
             if crowd.cell[ant] != colony.goal:
                 raw.length[ant] = np.inf
             forget(_as_seen_by(colony, crowd, ant), raw, ant, given_up.cells[ant], given_up.number[ant])
         return sound
 
     return walk_together, idle
-
-
-ORDERS: dict[str, Order] = {"in_turn": in_turn, "lock_step": lock_step}
 
 
 @compiled

@@ -15,7 +15,6 @@ from acoexp.colony.cache import compile_once
 from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Kernels, Record, Room, Trails
-from acoexp.colony.walk import ORDERS
 from acoexp.errors import AcoexpError, SettingsError, StrategyError, shown
 from acoexp.grid.grid import Grid
 from acoexp.trial import failures
@@ -25,7 +24,7 @@ from acoexp.trial.result import Result
 from acoexp.trial.seeds import check_seed
 from acoexp.trial.settings import Settings
 from acoexp.trial.threads import check_threads
-from acoexp.trial.workspace import Workspace, new_record, new_workspace
+from acoexp.trial.workspace import End, Workspace, new_record, new_workspace
 
 _loop = lru_cache(maxsize=None)(make_loop)
 
@@ -36,7 +35,7 @@ class Solver:
     def __init__(self, grid: Grid, settings: Settings) -> None:
         self.settings = settings
         self._kernels = Kernels(**{group: settings.parts[group].kernel for group in Kernels._fields})
-        self._walks = ORDERS[settings.scalars.order], settings.scalars.dead_end == "step_back"
+        self._walks = settings.scalars.order, settings.scalars.dead_end == "step_back"
         self._loop = _loop(*self._walks, self._kernels)
         self._prepare(grid)
         self._compile()
@@ -160,8 +159,9 @@ class Solver:
             SettingsError, StrategyError: As :func:`room_after`.
         """
         colony = self.room_after(seed).colony
-        bordered = (colony.stored * colony.scale[0]).reshape(-1, self._problem.width, 8)
-        return np.where(self._problem.allowed_edges(), bordered[1:-1, 1:-1], np.nan)
+        problem = self._ends[0].problem
+        bordered = (colony.stored * colony.scale[0]).reshape(-1, problem.width, 8)
+        return np.where(problem.allowed_edges(), bordered[1:-1, 1:-1], np.nan)
 
     def _outcome(self, workspace: Workspace, seed: int) -> Result | Failure:
         try:
@@ -219,10 +219,18 @@ class Solver:
 
     def _prepare(self, grid: Grid) -> None:
         self.grid = grid
-        self._problem = Problem(grid, self.settings.scalars, self.settings.field)
-        self._prepared = prepare(self._problem, self.settings)
+        self._ends = [self._end(grid)]
+        if self.settings.scalars.order == "two_ended":
+            way_back = Grid(grid.obstacles, start=grid.goal, goal=grid.start, moves=grid.moves, name=grid.name)
+            self._ends.append(self._end(way_back))
+
+    def _end(self, grid: Grid) -> End:
+        """Return what the parts prepare for a way from one end to the other."""
+        problem = Problem(grid, self.settings.scalars, self.settings.field)
+        prepared = prepare(problem, self.settings)
         for what in ("field", "distance"):  # 17 and 8 bytes per cell that nobody needs any more
-            self._problem.__dict__.pop(what, None)
+            problem.__dict__.pop(what, None)
+        return End(problem, prepared)
 
     def _compile(self) -> None:
         room = self._new_workspace().room
@@ -235,7 +243,7 @@ class Solver:
 
     def _new_workspace(self, stop: NDArray[np.uint8] | None = None) -> Workspace:
         stop = np.zeros(1, dtype=np.uint8) if stop is None else stop
-        return new_workspace(self._problem, self._prepared, self._kernels.post is not None, stop)
+        return new_workspace(self._ends, self._kernels.post is not None, stop)
 
 
 def _moves(trails: Trails, row: int) -> NDArray[np.uint8]:

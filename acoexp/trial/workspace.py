@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,7 +10,18 @@ from numpy.typing import NDArray
 
 from acoexp.colony.pheromone import HIGHEST_POWER
 from acoexp.colony.problem import Problem
-from acoexp.colony.state import Colony, Crowd, GivenUp, Own, Prepared, Record, Room, Trails
+from acoexp.colony.state import (
+    Colony,
+    Crowd,
+    Facing,
+    GivenUp,
+    Own,
+    Pair,
+    Prepared,
+    Record,
+    Room,
+    Trails,
+)
 from acoexp.errors import SettingsError
 from acoexp.grid.moves import DIRECTIONS
 
@@ -29,41 +41,79 @@ class Workspace(NamedTuple):
     to_restore: list[tuple[NDArray[Any], NDArray[Any]]]
 
 
-def new_workspace(problem: Problem, prepared: Prepared, has_post: bool, stop: NDArray[np.uint8]) -> Workspace:
+class End(NamedTuple):
+    """What ants of one end set out with.
+
+    Attributes:
+        problem: Their way: from their end to the other.
+        prepared: What the parts have prepared for it.
+    """
+
+    problem: Problem
+    prepared: Prepared
+
+
+def new_workspace(ends: Sequence[End], has_post: bool, stop: NDArray[np.uint8]) -> Workspace:
     """Make a workspace.
 
     Args:
-        problem: What is solved.
-        prepared: What the parts have prepared for it.
+        ends: The end at the start; and the one at the goal, if ants set out from there, too.
         has_post: Whether paths are optimised.
         stop: uint8[1], not 0 when the trial is to end early.
 
     Raises:
         SettingsError: if the memory does not suffice for so many ants.
     """
+    (problem, prepared), *at_goal = ends
     try:
         room = _new_room(problem, prepared, has_post, stop)
+        if at_goal:
+            room = room._replace(facing=_new_facing(at_goal[0], room.colony, has_post))
     except MemoryError as problem_of_size:
         ants, cells = problem.settings.ants, prepared.desirability.size // 8
         raise SettingsError(
             f"ants: expected a number for which the memory suffices; got {ants} on a map of {cells} cells"
         ) from problem_of_size
-    return Workspace(room, list(zip(_writable(room.own), _writable(prepared.own), strict=True)))
+    owns = [room.own, *(() if room.facing is None else (room.facing.own,))]
+    to_restore = [
+        pair
+        for own, end in zip(owns, ends, strict=True)
+        for pair in zip(_writable(own), _writable(end.prepared.own), strict=True)
+    ]
+    return Workspace(room, to_restore)
 
 
 def _new_room(problem: Problem, prepared: Prepared, has_post: bool, stop: NDArray[np.uint8]) -> Room:
     ants, cells = problem.settings.ants, prepared.desirability.size // 8
-    raw = new_trails(ants, cells)
+    raw, at_once = new_trails(ants, cells), {"lock_step": ants, "two_ended": 2}.get(problem.settings.order, 1)
     return Room(
         colony=new_colony(problem, prepared.desirability, stop),
         crowd=new_crowd(ants, cells) if problem.settings.order == "lock_step" else None,
-        given_up=new_given_up(ants, cells, problem.settings.order == "lock_step"),
-        own=Own(*(_copied(state) for state in prepared.own)),
+        facing=None,
+        given_up=new_given_up(at_once, cells),
+        made=np.zeros(ants, dtype=np.int64),
+        own=_copied(prepared.own),
         initial=prepared.initial,
         raw=raw,
         final=new_trails(ants, cells) if has_post else raw,
         best=new_trails(2, cells),
         cells=np.empty(cells if has_post else 1, dtype=np.int32),
+    )
+
+
+def _new_facing(end: End, other: Colony, has_post: bool) -> Facing:
+    """Return the colony at the goal, which shares with the other what is the trial's and not an end's."""
+    ants, cells = other.ants, other.allowed.size
+    shared = {name: getattr(other, name) for name in ("cycle", "random", "unsound")}
+    raw = new_trails(ants, cells)
+    return Facing(
+        colony=new_colony(end.problem, end.prepared.desirability, other.stop)._replace(**shared),
+        pair=Pair(np.zeros(2, dtype=np.int64), np.zeros(2, dtype=np.bool_), np.full((2, cells), -1, np.int32)),
+        own=_copied(end.prepared.own),
+        initial=end.prepared.initial,
+        raw=raw,
+        final=new_trails(ants, cells) if has_post else raw,
+        best=new_trails(2, cells),
     )
 
 
@@ -138,10 +188,9 @@ def new_crowd(ants: int, cells: int) -> Crowd:
     )
 
 
-def new_given_up(ants: int, cells: int, together: bool) -> GivenUp:
-    """Return room for what so many ants step back from on a map of so many cells (border included)."""
-    rows = ants if together else 1
-    return GivenUp(np.empty((rows, cells), dtype=np.int32), np.zeros(ants, dtype=np.int64))
+def new_given_up(at_once: int, cells: int) -> GivenUp:
+    """Return room for what ants step back from, so many that walk at once, on a map of so many cells."""
+    return GivenUp(np.empty((at_once, cells), dtype=np.int32), np.zeros(at_once, dtype=np.int64))
 
 
 def new_record(iterations: int) -> Record:
@@ -150,8 +199,12 @@ def new_record(iterations: int) -> Record:
     return Record(pairs, lost, np.zeros(1, dtype=np.int64))
 
 
-def _copied(state: Any) -> Any:
-    """Return a part's own state with copies of the arrays that it may write to."""
+def _copied(own: Own) -> Own:
+    """Return the parts' own states with copies of the arrays that they may write to."""
+    return Own(*map(_copied_state, own))
+
+
+def _copied_state(state: Any) -> Any:
     values = (v.copy() if isinstance(v, np.ndarray) and v.flags.writeable else v for v in state)
     return type(state)(*values) if hasattr(state, "_fields") else tuple(values)
 

@@ -89,7 +89,7 @@ def yardstick(solver: Solver, folder: Path) -> Callable[[], float]:
 def write_map(solver: Solver, file: Path) -> None:
     problem = Problem(solver.grid, solver.settings.scalars, solver.settings.field)
     allowed = problem.per_cell(solver.grid.allowed, border=0)
-    desirability = solver._prepared.desirability.reshape(-1, 8).tolist()
+    desirability = solver._ends[0].prepared.desirability.reshape(-1, 8).tolist()
     head = f"{solver.grid.shape[0]} {solver.grid.shape[1]} {problem.cell(solver.grid.start)} "
     lines = [head + str(problem.cell(solver.grid.goal))]
     lines += [f"{bits} {' '.join(map(float.hex, row))}" for bits, row in zip(allowed, desirability, strict=True)]

@@ -31,6 +31,8 @@ READINGS: list[tuple[str, dict[str, Any]]] = [
     ("pd", {"obstacles": "nearest"}),
     ("pdg", {"dead_end": "step_back"}),
     ("pdg", {"dead_end": "step_back", "max_steps": 45}),
+    ("pdg", {"order": "two_ended", "dead_end": "step_back"}),
+    ("pd", {"order": "two_ended", "max_steps": 17}),
 ]
 """Other decisions where the paper leaves one open: those that make kernels the most different."""
 

@@ -12,10 +12,11 @@ from samples import colony_on, problem_on, room_of
 from acoexp import Grid
 from acoexp.colony.compiled import compiled
 from acoexp.colony.state import BACK, LOST, NO_WAY_HERE
-from acoexp.colony.walk import ORDERS
+from acoexp.colony.walk import in_turn, lock_step
 from acoexp.strategies.choice.roulette import spin
 from acoexp.strategies.diffusion.none import stay
 
+ORDERS = {"in_turn": in_turn, "lock_step": lock_step}
 CORRIDOR = Grid([[0, 0, 0, 0]], start=(0, 0), goal=(0, 3))
 RING = Grid([[0, 0, 0], [0, 1, 0], [0, 0, 0]], start=(0, 0), goal=(2, 2), moves="no_cut")
 

@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
+from types import SimpleNamespace
 from typing import Any
 
 from reference_paths import (
@@ -190,25 +191,43 @@ def diffuse_luo_wu(tau: Any, cell: Cell, came: int | None, force: Vector, colony
             tau[cell, d] += colony.gamma * SHARE[d] * nearness[d] * phi
 
 
+class End:
+    """One end of the way: what ants see that set out there, and the pheromone that they follow."""
+
+    def __init__(self, grid: Any, colony: Colony, start: Cell, goal: Cell) -> None:
+        way = SimpleNamespace(obstacles=grid.obstacles, moves=grid.moves, start=start, goal=goal)
+        self.start, self.goal = start, goal
+        self.moves, self.forces = moves_of(way), forces_of(way, colony)
+        eta = desirability_of(way, colony, self.forces)
+        self.desire = {edge: level**colony.beta for edge, level in eta.items()}
+        self.tau = Pheromone(self.moves, colony.pheromone, colony.tau0)
+
+    def update(self, paths: list[Path], colony: Colony) -> None:
+        for place in self.tau.levels:
+            self.tau.levels[place] *= 1 - colony.rho
+        for path in paths:
+            for a, b in pairwise(path):
+                self.tau[a, direction_of(a, b)] += colony.q / length_of(pair_of(path))
+
+
 def run(grid: Any, colony: Colony, seed: int) -> Found:
     """Run one trial (Sect. 3.4)."""
     random, found, best = Random(seed), Found(), math.inf
-    moves, forces = moves_of(grid), forces_of(grid, colony)
-    eta = desirability_of(grid, colony, forces)
-    desire = {edge: level**colony.beta for edge, level in eta.items()}
-    tau = Pheromone(moves, colony.pheromone, colony.tau0)
+    ends = [End(grid, colony, grid.start, grid.goal)]
+    if colony.order == "two_ended":
+        ends.append(End(grid, colony, grid.goal, grid.start))
     diffuse = {"pd": diffuse_gaussian, "pdg": diffuse_gaussian, "pf": diffuse_luo_wu}.get(colony.algo)
 
-    def walk(path: Path) -> Iterator[None]:
+    def walk(end: End, path: Path) -> Iterator[None]:
         """Walk step by step; a path that does not end at the goal is that of a lost ant."""
-        visited, made = set(path), 0
-        while (cell := path[-1]) != grid.goal and (colony.max_steps is None or made < colony.max_steps):
+        visited, made, tau = set(path), 0, end.tau
+        while (cell := path[-1]) != end.goal and (colony.max_steps is None or made < colony.max_steps):
             made += 1  # or it ends here
             if diffuse:
                 came = direction_of(path[-2], cell) if len(path) > 1 else None
-                diffuse(tau, cell, came, forces[cell], colony)
-            ways = [(d, target) for d, target in sorted(moves[cell].items()) if target not in visited]
-            weights = [tau[cell, d] ** colony.alpha * desire[cell, d] for d, _ in ways]
+                diffuse(tau, cell, came, end.forces[cell], colony)
+            ways = [(d, target) for d, target in sorted(end.moves[cell].items()) if target not in visited]
+            weights = [tau[cell, d] ** colony.alpha * end.desire[cell, d] for d, _ in ways]
             sums, drawn = list(accumulate(weights)), random.uniform()
             if not ways:
                 if colony.dead_end == "lost" or len(path) == 1:
@@ -228,7 +247,7 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
 
     def walk_all() -> list[Path]:
         walks: list[Path] = [[grid.start] for _ in range(colony.ants)]
-        walkers = [walk(path) for path in walks]
+        walkers = [walk(ends[0], path) for path in walks]
         if colony.order == "in_turn":
             for walker in walkers:
                 deque(walker, maxlen=0)
@@ -236,19 +255,30 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
             walkers = [walker for walker in walkers if next(walker, "stands") != "stands"]
         return [path for path in walks if path[-1] == grid.goal]
 
-    def update(paths: list[Path]) -> None:
-        for place in tau.levels:
-            tau.levels[place] *= 1 - colony.rho
-        for path in paths:
-            for a, b in pairwise(path):
-                tau[a, direction_of(a, b)] += colony.q / length_of(pair_of(path))
+    def meet() -> Path | None:
+        """Let two ants walk, one from each end, a step each in turn, until one is where the other came by."""
+        paths = [[end.start] for end in ends]
+        walkers: list[Any] = [walk(end, path) for end, path in zip(ends, paths, strict=True)]
+        while any(walkers):
+            for side in (0, 1):
+                if walkers[side] and next(walkers[side], "stands") == "stands":
+                    walkers[side] = None
+                here = paths[side][-1]
+                if here in paths[1 - side]:
+                    way, back = (path[: path.index(here) + 1] for path in paths)
+                    return way + back[-2::-1]
+        return None
 
     for _ in range(colony.iterations):
-        arrived = walk_all()
-        shortened = [optimised(path, moves) if colony.algo == "pdg" else path for path in arrived]
-        update(arrived)
-        if colony.algo == "pdg":
-            update(shortened)
+        if colony.order == "two_ended":
+            arrived = [path for path in (meet() for _ in range(colony.ants)) if path is not None]
+        else:
+            arrived = walk_all()
+        shortened = [optimised(path, ends[0].moves) if colony.algo == "pdg" else path for path in arrived]
+        for end, step in zip(ends, (1, -1), strict=False):
+            end.update([path[::step] for path in arrived], colony)
+            if colony.algo == "pdg":
+                end.update([path[::step] for path in shortened], colony)
         found.lost.append(colony.ants - len(arrived))
         found.curve.append(min(map(pair_of, shortened), key=length_of, default=None))
         for raw, path in zip(arrived, shortened, strict=True):

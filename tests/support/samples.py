@@ -154,7 +154,9 @@ def room_of(colony: State, **own: Any) -> Room:
     return Room(
         colony=colony,
         crowd=new_crowd(ants, cells),
-        given_up=new_given_up(ants, cells, together=True),
+        facing=None,
+        given_up=new_given_up(ants, cells),
+        made=np.zeros(ants, dtype=np.int64),
         own=Own(**{group: own.get(group, ()) for group in Own._fields}),
         initial=np.array([colony.tau0]),
         raw=raw,

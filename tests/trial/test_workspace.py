@@ -12,7 +12,7 @@ from acoexp import SettingsError
 from acoexp.colony.state import Own, Prepared
 from acoexp.grid.moves import DIRECTIONS
 from acoexp.trial import workspace as module
-from acoexp.trial.workspace import Workspace, direction_offsets, new_workspace, offset_directions
+from acoexp.trial.workspace import End, Workspace, direction_offsets, new_workspace, offset_directions
 
 GRID = random_grid(1, 6, 9, "free")
 NONE = Own((), (), (), ())
@@ -22,7 +22,7 @@ STOP = np.zeros(1, dtype=np.uint8)
 def workspace_with(own: Own = NONE, has_post: bool = False, **scalars: Any) -> Workspace:
     problem = problem_on(GRID, **scalars)
     desirability = problem.per_edge(problem.allowed_edges().astype(np.float64), border=0.0)
-    return new_workspace(problem, Prepared(desirability, np.ones(1), own), has_post, STOP)
+    return new_workspace([End(problem, Prepared(desirability, np.ones(1), own))], has_post, STOP)
 
 
 def test_a_part_writes_to_copies_of_its_own_and_each_is_known_with_what_it_was() -> None:
