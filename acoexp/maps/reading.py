@@ -11,6 +11,9 @@ from acoexp.errors import MapError, shown
 LARGEST = 8 * 2**20
 """Bytes that a map's file may have: 2048 x 2048 cells, a sign and a blank each."""
 
+LONGEST_SIDE, MOST_CELLS = 16_384, 2048 * 2048
+"""Rows, columns and cells that a map from a file may have; a grid takes some 300 bytes a cell while it is made."""
+
 _KINDS = {
     stat.S_IFDIR: "a folder",
     stat.S_IFIFO: "a pipe",
@@ -31,28 +34,53 @@ def read_text(text: str, key: str) -> tuple[Path, str]:
     Raises:
         MapError: if it is no readable file of text in UTF-8, or larger than ``LARGEST``.
     """
+    path, content = read_bytes(text, key)
     try:
-        path = Path(text).expanduser()
-        return path, _content(path, text, key).decode("utf-8-sig")
-    except MapError:
-        raise
+        return path, content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         raise MapError(f"{key}: expected a text file in UTF-8; got {shown(text)}") from problem
+
+
+def read_bytes(text: str, key: str, kind: str = "text", largest: int = LARGEST) -> tuple[Path, bytes]:
+    """Return the path that a text names, and the bytes of that file.
+
+    Args:
+        text: The path, as for :func:`read_text`.
+        key: The key that it was given by, for messages.
+        kind: What kind of file is expected, for messages.
+        largest: How many bytes it may have.
+
+    Raises:
+        MapError: if it is no readable file, or larger.
+    """
+    try:
+        path = Path(text).expanduser()
+        return path, _content(path, largest)
     except (OSError, ValueError, RuntimeError) as problem:
-        raise _refusal(key, text, getattr(problem, "strerror", None) or str(problem)) from problem
+        reason = getattr(problem, "strerror", None) or str(problem)
+        raise MapError(f"{key}: expected a readable {kind} file; got {shown(text)} ({reason})") from problem
 
 
-def _content(path: Path, text: str, key: str) -> bytes:
+def check_size(rows: int, cols: int, name: str) -> None:
+    """Refuse a map that is larger than one from a file may be, before anything is made of it.
+
+    Raises:
+        MapError: if it is.
+    """
+    if max(rows, cols) > LONGEST_SIDE or rows * cols > MOST_CELLS:
+        raise MapError(
+            f"map {name}: expected at most {LONGEST_SIDE} rows and columns, and {MOST_CELLS} cells; got "
+            f"{shown(rows)} x {shown(cols)}"
+        )
+
+
+def _content(path: Path, largest: int) -> bytes:
     kind = _KINDS.get(stat.S_IFMT(path.stat().st_mode))
     if kind is not None:
-        raise _refusal(key, text, kind)
+        raise ValueError(kind)
     # some files of the system's have nothing to read yet, and would be waited for
     with open(path, "rb", opener=lambda name, flags: os.open(name, flags | os.O_NONBLOCK)) as file:
-        content = file.read(LARGEST + 1) or b""
-    if len(content) > LARGEST:
-        raise _refusal(key, text, f"more than {LARGEST // 2**20} MiB, the most that a map may have")
+        content = file.read(largest + 1) or b""
+    if len(content) > largest:
+        raise ValueError(f"more than {largest // 2**20} MiB, the most that a map may have")
     return content
-
-
-def _refusal(key: str, text: str, reason: str) -> MapError:
-    return MapError(f"{key}: expected a readable text file; got {shown(text)} ({reason})")
