@@ -8,6 +8,7 @@
 from acoexp.api import solve, solve_many
 from acoexp.errors import AcoexpError, MapError, SettingsError, StrategyError, TrackingError
 from acoexp.grid.grid import Grid
+from acoexp.registry.load_map import load_map
 from acoexp.trial.result import Result
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "SettingsError",
     "StrategyError",
     "TrackingError",
+    "load_map",
     "solve",
     "solve_many",
 ]
