@@ -73,7 +73,7 @@ def test_what_is_no_map_is_refused(odd: Any) -> None:
 
 @pytest.mark.parametrize("moves", ["", "sideways"])
 def test_with_an_array_an_unknown_rule_is_refused(moves: str) -> None:
-    with pytest.raises(MapError, match=r"expected one of: free, no_squeeze, no_cut"):
+    with pytest.raises(MapError, match=r"expected one of: free, no_squeeze, no_cut, four"):
         solve(YARD, moves=moves)
 
 

@@ -182,7 +182,7 @@ def test_a_path_that_cannot_be_one_is_refused(path: str) -> None:
         ({"start": [1]}, r"map.start: expected a pair \[row, column\]; got \[1\]"),
         ({"start": [0.5, 1]}, r"map.start: expected a pair \[row, column\]; got \[0.5, 1\]"),
         ({"goal": "12"}, r"map.goal: expected a pair \[row, column\]; got '12'"),
-        ({"moves": "sideways"}, "map.moves: expected one of: free, no_squeeze, no_cut; got 'sideways'"),
+        ({"moves": "sideways"}, "map.moves: expected one of: free, no_squeeze, no_cut, four; got 'sideways'"),
         ({"file": "x"}, "map.file is not a known key; expected one of: map.path, map.start, map.goal, map.moves"),
     ],
 )

@@ -119,7 +119,7 @@ def test_remarks_with_a_key_are_metadata() -> None:
     assert grid.name == "yard"
 
 
-@pytest.mark.parametrize("rule", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("rule", ["free", "no_squeeze", "no_cut", "four"])
 def test_a_text_declares_its_rule_for_diagonals(rule: str) -> None:
     assert parse_map(f"; moves: {rule}\n" + ART, name="yard").moves == rule
 
@@ -131,7 +131,7 @@ def test_an_argument_overrides_the_declared_rule() -> None:
 
 def test_an_unknown_declared_rule_is_refused() -> None:
     message = refusal("; moves: sideways\n" + ART)
-    assert "expected one of: free, no_squeeze, no_cut; got 'sideways'" in message
+    assert "expected one of: free, no_squeeze, no_cut, four; got 'sideways'" in message
 
 
 @pytest.mark.parametrize("text", ["", "\n\n", "; moves: free\n", "   \n"])

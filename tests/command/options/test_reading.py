@@ -61,7 +61,10 @@ def test_what_is_no_override_is_refused(override: str) -> None:
         ("rho=a=b", "rho: expected a number from 0 to 1; got 'a=b'"),
         ("rho=${a", "rho: expected a number from 0 to 1; got '${a'"),
         ("map.start=[1,", "map.start: expected a pair [row, column]; got '[1,'"),
-        ("map=a b(", "map: expected one of: env1, env2, fig13, file, movingai; got 'a b('"),
+        (
+            "map=a b(",
+            "map: expected one of: env1, env2, fig13, file, maze, movingai, random, rectangles, rooms; got 'a b('",
+        ),
         (
             "post=geometrik(",
             "post: expected one of: geometric, none, shortcut; got 'geometrik('; did you mean geometric?",
