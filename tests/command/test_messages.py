@@ -60,7 +60,8 @@ def test_what_comes_with_an_extra_is_told_with_the_command_that_installs_it(opti
         ),
         (
             "map=gaussian",
-            "map: expected one of: env1, env2, fig13, file, maze, movingai, random, rectangles, rooms; got 'gaussian'; there is diffusion=gaussian",
+            "map: expected one of: env1, env2, fig13, file, maze, movingai, random, rectangles, rooms; "
+            "got 'gaussian'; there is diffusion=gaussian",
         ),
     ],
 )

@@ -169,7 +169,8 @@ def test_every_other_bad_setting_is_refused_by_the_same_check(given: str, said: 
         ("diffusion=gausian", "diffusion: expected one of: gaussian, luo_wu, none; got 'gausian'; did you mean "),
         (
             "map=gaussian",
-            "map: expected one of: env1, env2, fig13, file, maze, movingai, random, rectangles, rooms; got 'gaussian'; there is diffusion=",
+            "map: expected one of: env1, env2, fig13, file, maze, movingai, random, rectangles, rooms; "
+            "got 'gaussian'; there is diffusion=",
         ),
     ],
 )

@@ -6,7 +6,7 @@ import shlex
 
 import pytest
 
-from acoexp.command.options.reading import check_texts, line_to_type, read, takes_text
+from acoexp.command.options.reading import check_texts, line_to_type, read, takes_text, takes_whole_number
 from acoexp.errors import SettingsError
 
 
@@ -163,6 +163,27 @@ def test_a_folder_that_hydra_would_take_for_another_is_refused(
 )
 def test_keys_of_texts_are_known_from_their_declarations(key: str, takes: bool) -> None:
     assert takes_text(key) is takes
+
+
+@pytest.mark.parametrize(
+    ("key", "takes"),
+    [
+        ("seed", True),
+        ("+seed", True),
+        ("ants", True),
+        ("map.seed", True),
+        ("map.instance", True),
+        ("map.path", False),
+        ("map.size", False),
+        ("rho", False),
+        ("map.density", False),
+        ("resume", False),
+        ("seeds", False),
+        ("nope", False),
+    ],
+)
+def test_keys_of_whole_numbers_are_known_from_their_declarations(key: str, takes: bool) -> None:
+    assert takes_whole_number(key) is takes
 
 
 @pytest.mark.parametrize(
