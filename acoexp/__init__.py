@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from acoexp.api import solve, solve_many
     from acoexp.errors import AcoexpError, MapError, SettingsError, StrategyError, TrackingError
     from acoexp.grid.grid import Grid
+    from acoexp.registry.load_map import load_map
     from acoexp.trial.result import Result
 
 __all__ = [
@@ -24,11 +25,18 @@ __all__ = [
     "SettingsError",
     "StrategyError",
     "TrackingError",
+    "load_map",
     "solve",
     "solve_many",
 ]
 
-_HOMES = {"solve": "api", "solve_many": "api", "Grid": "grid.grid", "Result": "trial.result"}
+_HOMES = {
+    "solve": "api",
+    "solve_many": "api",
+    "Grid": "grid.grid",
+    "Result": "trial.result",
+    "load_map": "registry.load_map",
+}
 
 
 def __getattr__(name: str) -> Any:

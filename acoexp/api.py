@@ -51,8 +51,8 @@ def solve(
     """Run one trial.
 
     Args:
-        map: A registered map's name, a :class:`~acoexp.grid.Grid`, a 0/1 array [rows, cols], or the ``Path`` of a
-            map file.
+        map: A registered map's name, a :class:`~acoexp.grid.Grid` such as :func:`acoexp.load_map` returns, a 0/1
+            array [rows, cols], or the ``Path`` of a map file.
         algo: A preset: ``aco``, ``pd``, ``pdg``, ``pf``, ``eas``, ``rank``, ``mmas``, ``acs``, ``nav``, or one
             that an installed package brings.
         seed: Whole number from 0 to 2^64 - 1; the same seed gives the same result.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import subprocess
 import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,13 @@ YARD = np.array([[0, 1, 0], [0, 0, 0]])
 def test_a_map_may_be_a_name() -> None:
     result = solve("fig13", algo="aco", seed=0, **FAST)
     assert (result.grid.name, result.grid.shape) == ("fig13", (20, 20))
+
+
+def test_a_map_may_be_loaded_as_the_command_line_does(tmp_path: Path) -> None:
+    (tmp_path / "yard.txt").write_text("010\n000\n")
+    grid = acoexp.load_map("file", path=str(tmp_path / "yard.txt"), start=(1, 0), goal=(0, 2), moves="no_cut")
+    assert grid.digest == Grid(YARD, start=(1, 0), goal=(0, 2), moves="no_cut").digest
+    assert solve(grid, algo="aco", **FAST).grid is grid
 
 
 def test_a_map_may_be_a_grid() -> None:
@@ -65,7 +73,7 @@ def test_what_is_no_map_is_refused(odd: Any) -> None:
 
 @pytest.mark.parametrize("moves", ["", "sideways"])
 def test_with_an_array_an_unknown_rule_is_refused(moves: str) -> None:
-    with pytest.raises(MapError, match=r"expected one of: free, no_squeeze, no_cut"):
+    with pytest.raises(MapError, match=r"expected one of: free, no_squeeze, no_cut, four"):
         solve(YARD, moves=moves)
 
 

@@ -199,7 +199,7 @@ class Job:
         if handed_over is not None:
             return handed_over
         parameters = dict(config)
-        return load_map(parameters.pop("name", None), parameters)
+        return load_map(parameters.pop("name", None), **parameters)
 
     def _report(self) -> Report | None:
         """Return the report that was asked for, checked, or None."""

@@ -31,7 +31,7 @@ class Grid:
         obstacles: 0/1 or bool [rows, cols]; 1 is an obstacle. Copied, then read-only.
         start: Cell where the ants set out; the top left corner if not given.
         goal: Cell where they want to be; the corner opposite to the top left if not given.
-        moves: Rule for diagonals: ``free``, ``no_squeeze`` or ``no_cut`` (see :mod:`acoexp.grid.moves`).
+        moves: Rule for diagonals: ``free``, ``no_squeeze``, ``no_cut`` or ``four`` (see :mod:`acoexp.grid.moves`).
         name: What the map is called in results and messages.
         metadata: Remarks that travel with the map, such as where it comes from.
         frame: Where the cells lie in metres, of a map that says it. No planner sees it, and no digest has it.

@@ -1,4 +1,4 @@
-"""Moves: the eight directions of a step, and the three rules for diagonals past obstacle corners."""
+"""Moves: the eight directions of a step, and the rules for diagonals, past obstacle corners or at all."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ Even directions are straight (length 1), odd ones diagonal (length sqrt 2).
 
 SQRT2 = 2.0**0.5
 
-MoveRule = Literal["free", "no_squeeze", "no_cut"]
+MoveRule = Literal["free", "no_squeeze", "no_cut", "four"]
 """When a diagonal move is allowed, its target being free:
 
-``free``: always; ``no_squeeze``: unless both cells beside it are obstacles; ``no_cut``: unless either is.
+``free``: always; ``no_squeeze``: unless both cells beside it are obstacles; ``no_cut``: unless either is;
+``four``: never, which leaves the four straight moves.
 """
 
 MOVE_RULES: tuple[str, ...] = get_args(MoveRule)
@@ -62,6 +63,8 @@ def allowed_moves(obstacles: NDArray[np.bool_], rule: str) -> NDArray[np.uint8]:
 
     table = np.zeros((rows, cols), dtype=np.uint8)
     for direction, step in enumerate(DIRECTIONS):
+        if direction % 2 == 1 and rule == "four":
+            continue
         allowed = ~obstacles & ~shifted(step)
         if direction % 2 == 1 and rule != "free":
             beside = shifted((step[0], 0)), shifted((0, step[1]))

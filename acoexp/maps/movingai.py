@@ -19,7 +19,7 @@ from acoexp.console.plain import printable
 from acoexp.errors import MapError, shown
 from acoexp.grid.grid import Cell, Grid
 from acoexp.grid.moves import MOVE_RULES
-from acoexp.maps.reading import read_text
+from acoexp.maps.reading import check_size, read_text
 from acoexp.maps.source import MapSource
 from acoexp.parameters import REQUIRED, parameter
 
@@ -123,6 +123,7 @@ def _obstacles(text: str, name: str, swamp: str) -> NDArray[np.bool_]:
     for number, row in enumerate(rows, 1):
         if len(row) != width:
             raise MapError(f"{expected}{len(row)} in row {number}")
+    check_size(height, width, name)
     kinds = np.full(128, _UNKNOWN, dtype=np.uint8)
     for letters, kind in ((_FREE, 0), (_BLOCKED, 1), (_SWAMP, int(swamp == "blocked"))):
         kinds[[ord(letter) for letter in letters]] = kind

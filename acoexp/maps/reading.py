@@ -14,6 +14,9 @@ LARGEST = 8 * 2**20
 LARGEST_IMAGE = 2**28
 """Bytes that an image may have: four for each of the pixels that it may have (see ``pixels.MOST``)."""
 
+LONGEST_SIDE, MOST_CELLS = 16_384, 2048 * 2048
+"""Rows, columns and cells that a map from a text may have."""
+
 _KINDS = {
     stat.S_IFDIR: "a folder",
     stat.S_IFIFO: "a pipe",
@@ -34,11 +37,27 @@ def read_text(text: str, key: str) -> tuple[Path, str]:
     Raises:
         MapError: if it is no readable file of text in UTF-8, or larger than ``LARGEST``.
     """
-    path = named_path(text, key)
+    path, content = read_bytes(text, key, "text file")
     try:
-        return path, _content(path, text, key, LARGEST, "text file").decode("utf-8-sig")
+        return path, content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         raise MapError(f"{key}: expected a text file in UTF-8; got {shown(text)}") from problem
+
+
+def read_bytes(text: str, key: str, what: str, largest: int = LARGEST) -> tuple[Path, bytes]:
+    """Return the path that a text names, and the bytes of that file.
+
+    Args:
+        text: The path, as for :func:`read_text`.
+        key: The key that it was given by, for messages.
+        what: What is expected, for messages.
+        largest: How many bytes it may have.
+
+    Raises:
+        MapError: if it is no readable file, or larger.
+    """
+    path = named_path(text, key)
+    return path, _content(path, text, key, largest, what)
 
 
 def read_image(path: Path, key: str) -> bytes:
@@ -64,6 +83,19 @@ def named_path(text: str, key: str) -> Path:
         return Path(text).expanduser()
     except RuntimeError as problem:
         raise _refusal(key, text, str(problem), "file") from problem
+
+
+def check_size(rows: int, cols: int, name: str) -> None:
+    """Refuse a map that is larger than one from a text may be, before anything is made of it.
+
+    Raises:
+        MapError: if it is.
+    """
+    if max(rows, cols) > LONGEST_SIDE or rows * cols > MOST_CELLS:
+        raise MapError(
+            f"map {name}: expected at most {LONGEST_SIDE} rows and columns, and {MOST_CELLS} cells; got "
+            f"{shown(rows)} x {shown(cols)}"
+        )
 
 
 def _content(path: Path, text: str, key: str, largest: int, what: str) -> bytes:

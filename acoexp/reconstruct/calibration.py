@@ -15,13 +15,12 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from acoexp.console.whole import write_whole
 from acoexp.errors import AcoexpError, SettingsError
 from acoexp.grid.grid import Grid
-from acoexp.grid.moves import MOVE_RULES
 from acoexp.parameters import parameter
 from acoexp.reconstruct.fit import Fit
 from acoexp.reconstruct.layout import Layout, paint
 from acoexp.reconstruct.mapfile import map_text, read_layout
 from acoexp.reconstruct.outcomes import Outcomes
-from acoexp.reconstruct.published import CYCLES, ENVIRONMENTS
+from acoexp.reconstruct.published import CYCLES, ENVIRONMENTS, RULES
 from acoexp.reconstruct.screen import SIZE
 from acoexp.reconstruct.search import SEARCH_CYCLES, Search
 from acoexp.registry.resolve import resolve
@@ -44,7 +43,7 @@ class Calibration:
     seed: int = parameter(0, "seed of the first run", minimum=0, maximum=999_999)
     runs: int = parameter(1, "runs, each from a seed of its own: seed, seed + 1, ...", minimum=1, maximum=10_000)
     steps: int = parameter(3000, "candidates that a run lets ants walk on", minimum=1, maximum=999_999)
-    moves: str | None = parameter(None, "rule for diagonals; by default the runs take turns", choices=MOVE_RULES)
+    moves: str | None = parameter(None, "rule for diagonals; by default the runs take turns", choices=RULES)
     begin: str | None = parameter(None, "map file of an earlier run to go on from; its rule is kept")
     threads: int = parameter(1, "runs at a time; the maps do not depend on it", minimum=1, maximum=1024)
     out: str = parameter("outputs/maps", "folder for the map files")

@@ -16,6 +16,9 @@ from acoexp.reconstruct.outcomes import Outcomes
 
 Pair = tuple[int, int]
 
+RULES = ("free", "no_squeeze", "no_cut")
+"""The rules for diagonals that the paper's maps may be under: its paths have diagonals."""
+
 CYCLES = 200
 """Cycles of a trial, so no x1 or x3 is later."""
 

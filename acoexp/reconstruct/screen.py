@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.grid.moves import MOVE_RULES, SQRT2
+from acoexp.grid.moves import SQRT2
+from acoexp.reconstruct.published import RULES
 
 SIZE = 20
 """Rows and columns of the paper's maps."""
@@ -102,7 +103,7 @@ class Screen:
     """Exact optima under one rule for diagonals, one map after the other."""
 
     def __init__(self, moves: str) -> None:
-        self._tolerated = 2 - MOVE_RULES.index(moves)
+        self._tolerated = 2 - RULES.index(moves)
         self._free = np.zeros((_WIDTH, _WIDTH), dtype=np.uint8)
         self._pairs = np.empty((_CELLS, 2), dtype=np.int64)
         self._queue = np.empty(_CELLS, dtype=np.int64)

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.random import Generator
 
 from acoexp.grid.grid import Grid
-from acoexp.grid.moves import MOVE_RULES, path_length
+from acoexp.grid.moves import path_length
 from acoexp.reconstruct.layout import Layout, is_layout, is_map, mutate, paint, random_layout
 from acoexp.reconstruct.likelihood import score
 from acoexp.reconstruct.outcomes import Outcomes
-from acoexp.reconstruct.published import Environment
+from acoexp.reconstruct.published import RULES, Environment
 from acoexp.reconstruct.screen import Screen
 from acoexp.trial.solver import Solver
 
@@ -68,7 +68,7 @@ class Search:
     def __init__(self, environment: Environment, seed: int, moves: str | None, aco: Solver) -> None:
         self.environment = environment
         self.rng: Generator = np.random.default_rng(seed)
-        self.moves = MOVE_RULES[seed % len(MOVE_RULES)] if moves is None else moves
+        self.moves = RULES[seed % len(RULES)] if moves is None else moves
         self._screen = Screen(self.moves)
         self._aco = aco
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +15,14 @@ from acoexp.registry.entries import entries, package_named
 from acoexp.registry.parts import build_part
 
 
-def load_map(name: Any, parameters: Mapping[str, Any]) -> Grid:
+def load_map(name: str, /, **parameters: Any) -> Grid:
     """Return the grid of the map source that is registered under a name.
+
+    >>> load_map("file", path="my_map.txt", start=(0, 0), moves="no_cut")
+
+    Args:
+        name: The source, as ``map=`` takes it on the command line: ``fig13``, ``file``, ``movingai`` ...
+        parameters: Its parameters, those that ``python -m acoexp --help`` lists as ``map.path=`` and the like.
 
     Raises:
         SettingsError: if there is no such source, or for a parameter that its declaration does not allow.
@@ -47,5 +52,5 @@ def as_grid(
     if isinstance(map, Path):
         return MapFile(path=str(map), start=start, goal=goal, moves=moves).load()
     if isinstance(map, str):
-        return load_map(map, {})
+        return load_map(map)
     return Grid(map, start=start, goal=goal, moves="no_squeeze" if moves is None else moves)

@@ -101,7 +101,7 @@ def digest(part: Any, algo: str, settings: dict[str, Any]) -> str:
 def cost(algo: str, settings: dict[str, Any], group: str) -> tuple[float, float, float]:
     """Return ns per ant step with a part, with its group's plain one, and the ratio: medians, interleaved."""
     chosen: tuple[dict[str, Any], ...] = settings, {**settings, group: PLAIN[group]}
-    ready = [Solver(load_map("env2", {}), resolve(algo, each)) for each in chosen]
+    ready = [Solver(load_map("env2"), resolve(algo, each)) for each in chosen]
     times = [[ns_per_step(solver) for solver in ready] for _ in range(ROUNDS)]
     own, plain = (median(column) for column in zip(*times, strict=True))
     return own, plain, median(a / b for a, b in times)

@@ -71,7 +71,7 @@ def test_on_the_papers_maps_every_trial_is_the_references(name: str, algo: str) 
 
 @pytest.mark.parametrize("algo", ALGOS)
 @pytest.mark.parametrize("constants", OTHER_CONSTANTS)
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_on_other_maps_and_with_other_constants_too(moves: str, constants: str, algo: str) -> None:
     colony = Colony(algo, **{"iterations": CYCLES, **OTHER_CONSTANTS[constants]})
     for seed, (rows, cols) in zip(SEEDS, [(9, 30), (23, 14)], strict=False):

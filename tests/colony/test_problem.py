@@ -8,7 +8,7 @@ from reference import moves_of
 from samples import problem_on, random_grid
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_shared_by_target_all_edges_into_a_cell_have_the_mean_of_their_values(moves: str) -> None:
     grid = random_grid(4, 7, 9, moves, density=0.3)
     values = np.random.default_rng(0).uniform(size=(7, 9, 8))

@@ -13,7 +13,7 @@ E, NE, N, NW, W, SW, S, SE = range(8)
 DRAWING = "a... .#.. ...b"
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_before_an_ant_walks_all_moves_that_the_map_allows_are_open(moves: str) -> None:
     grid, _ = drawn(DRAWING, moves)
     problem = problem_on(grid)

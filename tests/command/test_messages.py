@@ -60,8 +60,9 @@ def test_what_comes_with_an_extra_is_told_with_the_command_that_installs_it(opti
         ),
         (
             "map=gaussian",
-            "map: expected one of: env1, env2, fig13, file, image, movingai, ros; got 'gaussian'; "
-            "there is diffusion=gaussian",
+            "map: expected one of: env1, env2, fig13, file, image, maze, movingai, random, rectangles, rooms, "
+            "ros; "
+            "got 'gaussian'; there is diffusion=gaussian",
         ),
     ],
 )

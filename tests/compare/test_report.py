@@ -48,7 +48,7 @@ def context(folder: Path) -> Context:
         algo="pdg",
         preset=resolve("pdg", {}),
         settings=settings,
-        grid=load_map("fig13", {}),
+        grid=load_map("fig13"),
         folder=folder,
         trials_of=lambda settings, grid, seeds, show: Trials.of(Solver(grid, settings).solve_many(seeds)),
     )

@@ -26,7 +26,11 @@ from acoexp.registry.folders import conf_dir
     [
         ("algo=nope", "algo: expected one of: aco, acs, eas, mmas, nav, pd, pdg, pf, rank; got 'nope'"),
         ("diffusion=nope", "diffusion: expected one of: gaussian, luo_wu, none; got 'nope'"),
-        ("map=nope", "map: expected one of: env1, env2, fig13, file, image, movingai, ros; got 'nope'"),
+        (
+            "map=nope",
+            "map: expected one of: env1, env2, fig13, file, image, maze, movingai, random, rectangles, rooms, "
+            "ros; got 'nope'",
+        ),
         ("nope=1", "nope is not a known key"),
         ("+diffusion.nope=1", "diffusion.nope is not a known key; expected one of: diffusion.gamma"),
         ("ants=abc", "ants: expected a whole number from 1 to 100000; got 'abc'"),
@@ -134,7 +138,7 @@ def checked(*overrides: str) -> str:
         ("field.reach=x", "field.reach: expected a number"),
         ("field=3", "field: expected a mapping of parameters; got 3"),
         ("diffusion.gamma=-1", "diffusion.gamma: expected a number from 0 to 1; got -1"),
-        ("map.moves=jump", "map.moves: expected one of: free, no_squeeze, no_cut; got 'jump'"),
+        ("map.moves=jump", "map.moves: expected one of: free, no_squeeze, no_cut, four; got 'jump'"),
         ("seed=null", "seed: expected a whole number from 0 to 2^64 - 1; got nothing"),
         ("seed=1.0", "seed: expected a whole number from 0 to 2^64 - 1; got 1.0"),
         (
@@ -166,8 +170,9 @@ def test_every_other_bad_setting_is_refused_by_the_same_check(given: str, said: 
         ("diffusion=gausian", "diffusion: expected one of: gaussian, luo_wu, none; got 'gausian'; did you mean "),
         (
             "map=gaussian",
-            "map: expected one of: env1, env2, fig13, file, image, movingai, ros; got 'gaussian'; "
-            "there is diffusion=",
+            "map: expected one of: env1, env2, fig13, file, image, maze, movingai, random, rectangles, rooms, "
+            "ros; "
+            "got 'gaussian'; there is diffusion=",
         ),
     ],
 )
@@ -188,7 +193,7 @@ MAPS: dict[bytes, str] = {
     b"#..\n...\n...\n": "start (0, 0) is an obstacle",
     b"...\n...\n..#\n": "goal (2, 2) is an obstacle",
     b".#.\n#..\n...\n": "no way leads from start (0, 0) to goal (2, 2) under the rule 'no_squeeze'",
-    b"; moves: jump\n..\n..\n": "expected one of: free, no_squeeze, no_cut; got 'jump'",
+    b"; moves: jump\n..\n..\n": "expected one of: free, no_squeeze, no_cut, four; got 'jump'",
 }
 
 

@@ -11,7 +11,7 @@ import pytest
 import yaml
 from mlflow import MlflowClient
 from mlflow.entities import Run
-from running import run_acoexp, trials
+from running import QUICK, run_acoexp, trials
 
 pytestmark = pytest.mark.skipif(
     numba.config.DISABLE_JIT, reason="twenty full trials on kernels that are not compiled"
@@ -56,6 +56,20 @@ def run_sweep(home: Path, *args: str) -> Sweep:
 def client_of(home: Path) -> MlflowClient:
     """Open the store that lies where the command puts it."""
     return MlflowClient(f"sqlite:///{home}/outputs/mlflow.db")
+
+
+def test_a_range_of_a_parts_whole_number_is_a_sweep_over_it(tmp_path: Path) -> None:
+    given = ("map=random", "map.size=[8,8]", "algo=aco", "map.seed=0-2,7")
+    ended = run_acoexp(*given, "-m", *QUICK, cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    (folder,) = tmp_path.glob("outputs/sweeps/*/*")
+    configs = [yaml.safe_load(path.read_text()) for path in folder.glob("*/config.yaml")]
+    assert sorted(config["map"]["seed"] for config in configs) == [0, 1, 2, 7]
+    assert len(trials(folder)) == 4
+    told = run_acoexp(*given, *QUICK, cwd=tmp_path)
+    assert "map.seed=0-2,7: several values; add -m to run them all" in told.stderr
+    told = run_acoexp("map=random", "map.seed=9-0", "-m", *QUICK, cwd=tmp_path)
+    assert "map.seed: expected a range from low to high, such as 0-9; got '9-0'" in told.stderr
 
 
 def runs_in(home: Path) -> list[Run]:

@@ -102,12 +102,21 @@ def test_whether_there_is_a_way_depends_on_the_rule() -> None:
     assert "no way" in refusal(squeeze, moves="no_squeeze")
     assert Grid(cut, moves="no_squeeze").optimum_pair == (0, 1)
     assert Grid(cut, moves="no_cut").optimum_pair == (2, 0)
+    assert Grid([[0, 0], [0, 0]], moves="no_cut").optimum_pair == (0, 1)
+    assert Grid([[0, 0], [0, 0]], moves="four").optimum_pair == (2, 0)
+
+
+def test_without_diagonals_a_path_that_has_one_is_refused() -> None:
+    grid = Grid([[0, 0], [0, 0]], moves="four")
+    assert grid.measure([(0, 0), (1, 0), (1, 1)]) == (2, 0)
+    with pytest.raises(MapError, match=r"move 1 of a path.* is not allowed under the rule 'four'"):
+        grid.measure([(0, 0), (1, 1)])
 
 
 @pytest.mark.parametrize("rule", ["diagonal", "", None, "FREE"])
 def test_an_unknown_rule_is_refused(rule: Any) -> None:
     message = refusal(OPEN, moves=rule)
-    assert "expected one of: free, no_squeeze, no_cut" in message
+    assert "expected one of: free, no_squeeze, no_cut, four" in message
     assert f"got {rule!r}" in message
 
 

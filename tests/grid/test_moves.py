@@ -1,4 +1,4 @@
-"""Moves: eight directions, three rules for diagonals past obstacle corners, exact lengths."""
+"""Moves: eight directions, four rules for diagonals, exact lengths."""
 
 from __future__ import annotations
 
@@ -48,18 +48,18 @@ def test_opposite_directions_lie_four_apart() -> None:
         assert DIRECTIONS[(direction + 4) % 8] == (-down, -right)
 
 
-def test_there_are_exactly_three_rules() -> None:
-    assert MOVE_RULES == ("free", "no_squeeze", "no_cut")
+def test_there_are_exactly_four_rules() -> None:
+    assert MOVE_RULES == ("free", "no_squeeze", "no_cut", "four")
 
 
 @pytest.mark.parametrize("rule", MOVE_RULES)
-def test_in_the_open_all_eight_moves_are_allowed(rule: str) -> None:
-    assert moves_at(walls("...", "...", "..."), 1, 1, rule) == set(range(8))
+def test_in_the_open_all_eight_moves_are_allowed_or_all_four(rule: str) -> None:
+    assert moves_at(walls("...", "...", "..."), 1, 1, rule) == set(range(0, 8, 2 if rule == "four" else 1))
 
 
 @pytest.mark.parametrize("rule", MOVE_RULES)
 def test_no_move_leads_off_the_map(rule: str) -> None:
-    assert moves_at(walls("..", ".."), 0, 0, rule) == {E, S, SE}
+    assert moves_at(walls("..", ".."), 0, 0, rule) == {E, S} | ({SE} if rule != "four" else set())
     assert moves_at(walls("."), 0, 0, rule) == set()
 
 
@@ -102,7 +102,8 @@ def test_every_move_can_be_taken_back(obstacles: NDArray[np.bool_], rule: str) -
 @settings(deadline=None)
 @given(MAPS)
 def test_each_rule_allows_what_the_next_stricter_one_does(obstacles: NDArray[np.bool_]) -> None:
-    free, no_squeeze, no_cut = (allowed_moves(obstacles, rule) for rule in MOVE_RULES)
+    free, no_squeeze, no_cut, four = (allowed_moves(obstacles, rule) for rule in MOVE_RULES)
+    assert not (four & ~no_cut).any()
     assert not (no_cut & ~no_squeeze).any()
     assert not (no_squeeze & ~free).any()
 

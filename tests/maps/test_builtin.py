@@ -76,5 +76,7 @@ def test_another_rule_may_be_asked_for(rule: str) -> None:
 
 
 def test_an_unknown_rule_is_refused() -> None:
-    with pytest.raises(SettingsError, match=r"map.moves: expected one of: free, no_squeeze, no_cut; got 'none'"):
+    with pytest.raises(
+        SettingsError, match=r"map.moves: expected one of: free, no_squeeze, no_cut, four; got 'none'"
+    ):
         load(Fig13, moves="none")

@@ -6,10 +6,12 @@ import os
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from acoexp import Grid, MapError, SettingsError
 from acoexp.maps.file import MapFile
+from acoexp.maps.npy import LARGEST_ARRAY
 from acoexp.maps.reading import LARGEST
 from acoexp.parameters import build
 
@@ -88,6 +90,24 @@ def test_a_file_that_is_too_large_for_a_map_is_refused_before_it_is_read(yard: P
     assert refusal(yard).endswith("(more than 8 MiB, the most that a map may have)")
 
 
+def test_a_file_of_numpys_is_known_by_its_name(tmp_path: Path) -> None:
+    np.save(tmp_path / "yard.npy", np.array([[0, 0, 1], [2, 0, 3], [1, 0, 0]], dtype=float))
+    grid = load(tmp_path / "yard.npy", moves="free")
+    assert (grid.name, grid.start, grid.goal, grid.moves) == ("yard.npy", (1, 0), (1, 2), "free")
+    assert grid.digest == Grid(grid.obstacles, start=(1, 0), goal=(1, 2), moves="free").digest
+    (tmp_path / "yard.NPY").write_text(ART, encoding="utf-8")
+    assert refusal(tmp_path / "yard.NPY").startswith("map yard.NPY: expected an array as numpy.save writes it")
+    assert refusal(tmp_path / "no.npy").startswith("map.path: expected a readable NumPy file; got ")
+
+
+def test_an_array_of_the_most_cells_is_read_and_one_of_more_bytes_is_not(tmp_path: Path) -> None:
+    np.save(tmp_path / "yard.npy", np.zeros((2048, 2048)))
+    assert (tmp_path / "yard.npy").stat().st_size <= LARGEST_ARRAY
+    with (tmp_path / "yard.npy").open("wb") as file:
+        file.truncate(100 * 10**6)
+    assert refusal(tmp_path / "yard.npy").endswith("(more than 32 MiB, the most that a map may have)")
+
+
 def test_a_map_of_2048_by_2048_cells_is_not_too_large() -> None:
     assert 2048 * len(". " * 2048) <= LARGEST
 
@@ -162,7 +182,7 @@ def test_a_path_that_cannot_be_one_is_refused(path: str) -> None:
         ({"start": [1]}, r"map.start: expected a pair \[row, column\]; got \[1\]"),
         ({"start": [0.5, 1]}, r"map.start: expected a pair \[row, column\]; got \[0.5, 1\]"),
         ({"goal": "12"}, r"map.goal: expected a pair \[row, column\]; got '12'"),
-        ({"moves": "sideways"}, "map.moves: expected one of: free, no_squeeze, no_cut; got 'sideways'"),
+        ({"moves": "sideways"}, "map.moves: expected one of: free, no_squeeze, no_cut, four; got 'sideways'"),
         ({"file": "x"}, "map.file is not a known key; expected one of: map.path, map.start, map.goal, map.moves"),
     ],
 )

@@ -177,6 +177,12 @@ def test_a_row_is_a_whole_number(yard: Path, instance: Any) -> None:
         load(yard, scenario=f"{yard}.scen", instance=instance)
 
 
+def test_a_map_of_more_cells_than_one_may_have_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "large.map").write_text(f"type octile\nheight 1\nwidth 4000000\nmap\n{'.' * 4_000_000}\n")
+    said = refusal(tmp_path / "large.map", start=[0, 1], goal=[0, 9])
+    assert said.endswith("expected at most 16384 rows and columns, and 4194304 cells; got 1 x 4000000")
+
+
 def test_a_large_map_is_read_in_no_time(tmp_path: Path) -> None:
     rows = "\n".join("".join(row) for row in np.where(np.eye(2048, dtype=bool), "T", "."))
     (tmp_path / "large.map").write_text(f"type octile\nheight 2048\nwidth 2048\nmap\n{rows}\n", encoding="utf-8")

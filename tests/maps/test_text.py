@@ -1,7 +1,10 @@
-"""Maps as text: the two formats, marks, remarks, and what is said of a text that is no map."""
+"""Maps as text: art, digits and separators, marks, remarks, and what is said of a text that is no map."""
 
 from __future__ import annotations
 
+from time import perf_counter
+
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -9,6 +12,7 @@ from samples import grids
 
 from acoexp import Grid, MapError
 from acoexp.maps import parse_map
+from acoexp.maps.reading import LONGEST_SIDE, MOST_CELLS
 
 ART = "..#\n...\n#..\n"
 DIGITS = "0 0 1\n0 0 0\n1 0 0\n"
@@ -69,6 +73,42 @@ def test_a_mark_stands_once(text: str, mark: str) -> None:
     assert "expected it once, got it 2 times" in refusal(text)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0,0,1\n0,0,0\n1,0,0\n",
+        "0;0;1\n0;0;0\n1;0;0\n",
+        "0, 0, 1\n0, 0, 0\n1, 0, 0\n",
+        "0,0,1,\n0,0,0,\n1,0,0,\n",
+        "0 0 1;\n0 0 0;\n1 0 0;\n",
+        "0.0,0.0,1.0\n-0.0,+0,0.\n1.000e+00,0e5,0.0\n",
+        "# a yard, by hand\n% and so on\n0,0,1\n0,0,0\n# the hedge\n1,0,0\n",
+    ],
+)
+def test_digits_may_stand_between_separators_and_be_written_as_numbers(text: str) -> None:
+    assert parse_map(text, name="yard").obstacles.tolist() == OBSTACLES
+
+
+@pytest.mark.parametrize("text", ["0 2 1\n3 0 0\n", "021\n300\n", "0,2.0,1\n3.0,0,0\n", "0;S;1\nG;0;0\n"])
+def test_2_and_3_mark_start_and_goal_among_digits(text: str) -> None:
+    grid = parse_map(text, name="yard")
+    assert (grid.start, grid.goal, grid.obstacles.sum()) == ((0, 1), (1, 0), 1)
+
+
+def test_a_mark_among_digits_stands_once_too() -> None:
+    assert refusal("2 0 S\n").startswith("map yard.txt: 2 or S marks the start; expected it once, got it 2 times")
+    assert refusal("0 3\n0 0\n", goal=(1, 1)).startswith("map yard.txt: 3 or G stands at (0, 1), but goal (1, 1)")
+
+
+def test_art_of_obstacles_alone_in_a_line_is_no_remark() -> None:
+    assert parse_map("####\n#..#\n####\n", name="yard", start=(1, 1), goal=(1, 2)).shape == (3, 4)
+
+
+def test_a_matrix_in_brackets_has_metadata_above_it_and_rows_after_semicolons_in_it() -> None:
+    grid = parse_map("; moves: free\nmap = [0 0 1\n; 0 0 0\n; 1 0 0];\n", name="yard")
+    assert (grid.obstacles.tolist(), grid.moves) == (OBSTACLES, "free")
+
+
 def test_remarks_are_skipped_wherever_they_stand() -> None:
     assert parse_map("; a yard\n..#\n;\n...\n; hedge below\n#..\n", name="yard").obstacles.tolist() == OBSTACLES
 
@@ -79,7 +119,7 @@ def test_remarks_with_a_key_are_metadata() -> None:
     assert grid.name == "yard"
 
 
-@pytest.mark.parametrize("rule", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("rule", ["free", "no_squeeze", "no_cut", "four"])
 def test_a_text_declares_its_rule_for_diagonals(rule: str) -> None:
     assert parse_map(f"; moves: {rule}\n" + ART, name="yard").moves == rule
 
@@ -91,7 +131,7 @@ def test_an_argument_overrides_the_declared_rule() -> None:
 
 def test_an_unknown_declared_rule_is_refused() -> None:
     message = refusal("; moves: sideways\n" + ART)
-    assert "expected one of: free, no_squeeze, no_cut; got 'sideways'" in message
+    assert "expected one of: free, no_squeeze, no_cut, four; got 'sideways'" in message
 
 
 @pytest.mark.parametrize("text", ["", "\n\n", "; moves: free\n", "   \n"])
@@ -110,10 +150,16 @@ def test_a_ragged_text_is_refused(text: str) -> None:
         ("..\n.x\n", "row 2, column 2: expected one of . # S G; got 'x'"),
         ("..\ns.\n", "row 2, column 1: expected one of . # S G; got 's'"),
         ("..\n.0\n", "row 2, column 2: expected one of . # S G; got '0'"),
-        ("0 0\n0 2\n", "row 2, column 2: expected one of 0 1 S G; got '2'"),
-        ("0 0\n0 #\n", "row 2, column 2: expected one of 0 1 S G; got '#'"),
-        ("01 10\n00 00\n", "row 1, column 1: expected one of 0 1 S G; got '01'"),
-        ("0,1\n0,0\n", "row 1, column 2: expected one of 0 1 S G; got ','"),
+        ("0 0\n0 4\n", "row 2, column 2: expected one of 0 1 2 3 S G; got '4'"),
+        ("0 0\n0 #\n", "row 2, column 2: expected one of 0 1 2 3 S G; got '#'"),
+        ("01 10\n00 00\n", "row 1, column 1: expected one of 0 1 2 3 S G; got '01'"),
+        ("0.0,0.5\n0.0,0.0\n", "row 1, column 2: expected one of 0 1 2 3 S G; got '0.5'"),
+        ("0,,1\n0,0,0\n", "row 1, column 2: expected one of 0 1 2 3 S G; got ''"),
+        ("0,0 1\n0,0\n", "row 1, column 2: expected one of 0 1 2 3 S G; got '0 1'"),
+        ("0 0 0\n# 0 0\n0 0 0\n", "row 2, column 1: expected one of 0 1 2 3 S G; got '#'"),
+        ("0,-1\n0,0\n", "row 1, column 2: expected one of 0 1 2 3 S G; got '-1'"),
+        ("0,nan\n0,0\n", "row 1, column 2: expected one of 0 1 2 3 S G; got 'nan'"),
+        ("0,0_0\n0,0\n", "row 1, column 2: expected one of 0 1 2 3 S G; got '0_0'"),
     ],
 )
 def test_other_symbols_are_refused_with_their_place(text: str, complaint: str) -> None:
@@ -137,3 +183,25 @@ def as_text(grid: Grid, free: str, wall: str, blank: str) -> str:
 def test_what_is_written_down_is_read_back(grid: Grid, style: tuple[str, str, str]) -> None:
     again = parse_map(as_text(grid, *style), name=grid.name, start=grid.start, goal=grid.goal)
     assert again.digest == grid.digest
+
+
+@pytest.mark.parametrize(
+    ("text", "size"),
+    [
+        ("." * (LONGEST_SIDE + 1), f"1 x {LONGEST_SIDE + 1}"),
+        ("0,0\n" * (LONGEST_SIDE + 1), f"{LONGEST_SIDE + 1} x 2"),
+    ],
+)
+def test_a_map_of_more_rows_or_columns_than_one_may_have_is_refused(text: str, size: str) -> None:
+    assert refusal(text).endswith(f"at most {LONGEST_SIDE} rows and columns, and {MOST_CELLS} cells; got {size}")
+
+
+@pytest.mark.parametrize("style", [(".", "#", ""), ("0", "1", " "), ("0.0", "1.0", ","), ("0", "1", ", ")])
+def test_a_large_map_is_read_in_no_time(style: tuple[str, str, str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without its optimum, which costs the same for all formats; half as fast as it must be is too slow."""
+    monkeypatch.setattr("acoexp.maps.cells.Grid", lambda obstacles, **_: obstacles)
+    cells = np.eye(1024, dtype=bool)
+    text = as_text(Grid(cells, start=(0, 1), goal=(0, 2)), *style)
+    begin = perf_counter()
+    assert np.array_equal(parse_map(text, name="yard"), cells)  # type: ignore[arg-type]
+    assert perf_counter() - begin < 1.0

@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 
 from acoexp import AcoexpError, Grid, solve_many
-from acoexp.grid.moves import MOVE_RULES
 from acoexp.reconstruct.calibration import Calibration, standard_aco
 from acoexp.reconstruct.layout import paint
+from acoexp.reconstruct.published import RULES
 
 MAPS = [paint(np.array(rectangles)) for rectangles in ([[2, 2, 9, 12], [11, 9, 17, 18]], [[4, 0, 6, 12]])]
 
 
 @pytest.mark.slow_without_jit
-@pytest.mark.parametrize("moves", MOVE_RULES)
+@pytest.mark.parametrize("moves", RULES)
 def test_trials_are_those_of_aco_whatever_map_was_before(moves: str) -> None:
     aco = standard_aco(20)
     for obstacles in (*MAPS, MAPS[0]):

@@ -11,7 +11,7 @@ from reference import Pair, moves_of
 from samples import reach_of
 
 from acoexp import Grid, MapError
-from acoexp.grid import MOVE_RULES
+from acoexp.reconstruct.published import RULES
 from acoexp.reconstruct.screen import SIZE, Screen
 
 
@@ -31,7 +31,7 @@ def grid_of(obstacles: NDArray[np.bool_], moves: str) -> Grid | None:
     return Grid(obstacles, moves=moves)
 
 
-@pytest.mark.parametrize("moves", MOVE_RULES)
+@pytest.mark.parametrize("moves", RULES)
 def test_the_optimum_is_that_of_dijkstra(moves: str) -> None:
     screen, whole = Screen(moves), 0
     for seed in range(60):
@@ -58,7 +58,7 @@ def test_a_map_with_a_pocket_has_no_optimum() -> None:
     assert Screen("free").optimum(obstacles) is None
 
 
-@pytest.mark.parametrize("moves", MOVE_RULES)
+@pytest.mark.parametrize("moves", RULES)
 def test_a_length_is_there_if_some_walk_has_it(moves: str) -> None:
     screen, obstacles = Screen(moves), random_obstacles(3)
     expected = walks(obstacles, moves, most=24)

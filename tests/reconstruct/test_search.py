@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 
 from acoexp import Grid, Result
-from acoexp.grid import MOVE_RULES
 from acoexp.reconstruct import search as module
 from acoexp.reconstruct.calibration import standard_aco
 from acoexp.reconstruct.layout import Layout, paint
-from acoexp.reconstruct.published import ENVIRONMENTS
+from acoexp.reconstruct.published import ENVIRONMENTS, RULES
 from acoexp.reconstruct.search import FRESH_BELOW, SEARCH_CYCLES, Search
 from acoexp.trial.solver import Solver
 
@@ -38,7 +37,7 @@ def test_the_same_seed_finds_the_same_map_and_another_seed_another(name: str) ->
 
 
 @pytest.mark.parametrize("name", ENVIRONMENTS)
-@pytest.mark.parametrize("moves", MOVE_RULES)
+@pytest.mark.parametrize("moves", RULES)
 def test_a_map_has_exactly_the_published_optimum(name: str, moves: str) -> None:
     grid = Grid(paint(found(name, 3, moves, steps=3)), moves=moves)
     assert grid.optimum_pair == ENVIRONMENTS[name].optimum
@@ -46,7 +45,7 @@ def test_a_map_has_exactly_the_published_optimum(name: str, moves: str) -> None:
 
 def test_runs_take_turns_in_the_rule_if_none_is_given() -> None:
     aco = standard_aco(SEARCH_CYCLES)
-    assert {Search(ENVIRONMENTS["env1"], seed, None, aco).moves for seed in range(3)} == set(MOVE_RULES)
+    assert {Search(ENVIRONMENTS["env1"], seed, None, aco).moves for seed in range(3)} == set(RULES)
 
 
 def test_the_search_never_sees_a_fresh_seed_nor_any_seed_twice(monkeypatch: pytest.MonkeyPatch) -> None:

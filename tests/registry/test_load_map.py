@@ -26,8 +26,8 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_a_sources_name_and_parameters_are_a_map(file: Path) -> None:
-    assert load_map("fig13", {"moves": "no_cut"}).moves == "no_cut"
-    assert load_map("file", {"path": str(file), "goal": [1, 0]}).goal == (1, 0)
+    assert load_map("fig13", moves="no_cut").moves == "no_cut"
+    assert load_map("file", path=str(file), goal=[1, 0]).goal == (1, 0)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_a_source_that_there_is_not_or_that_lacks_something_is_refused(
     name: Any, parameters: dict[str, Any], said: str
 ) -> None:
     with pytest.raises(SettingsError, match=said):
-        load_map(name, parameters)
+        load_map(name, **parameters)
 
 
 def test_a_grid_stands_for_itself() -> None:
@@ -52,7 +52,7 @@ def test_a_grid_stands_for_itself() -> None:
 
 
 def test_a_name_stands_for_its_source_with_nothing_else_said() -> None:
-    assert as_grid("env2").digest == load_map("env2", {}).digest
+    assert as_grid("env2").digest == load_map("env2").digest
 
 
 def test_a_path_stands_for_a_file_with_ends_and_rule_if_they_are_given(file: Path) -> None:

@@ -17,9 +17,12 @@ from acoexp.strategies.groups import STRATEGY_GROUPS
 STRATEGIES = [(group, name) for group in STRATEGY_GROUPS for name in entries(group)]
 
 
+@pytest.mark.parametrize("moves", ["no_cut", "four"])
 @pytest.mark.parametrize(("group", "name"), STRATEGIES, ids=map("-".join, STRATEGIES))
-def test_swapped_into_pdg_it_finds_ways_and_the_same_ones_however_it_is_run(group: str, name: str) -> None:
-    grid, seeds = random_grid(5, 12, 15, "no_cut"), range(6)
+def test_swapped_into_pdg_it_finds_ways_and_the_same_ones_however_it_is_run(
+    group: str, name: str, moves: str
+) -> None:
+    grid, seeds = random_grid(5, 12, 15, moves), range(6)
     settings: dict[str, Any] = {group: name, "ants": 4, "iterations": 12}
     single = [acoexp.solve(grid, "pdg", seed, **settings) for seed in seeds]
     for result in single:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image as Pillow
 
 from acoexp.maps.file import MapFile
@@ -86,6 +87,13 @@ class Format(NamedTuple):
         build(self.source, {"path": str(folder / next(iter(files))), **options}, "map.").load()
 
 
+def _npy(array: NDArray[Any]) -> bytes:
+    """Return an array as NumPy's file."""
+    file = BytesIO()
+    np.save(file, array)
+    return file.getvalue()
+
+
 def _saved(kind: str, mode: str = "RGB", **options: Any) -> bytes:
     """Return an image of 6 x 4 pixels with a wall and two dots."""
     pixels = np.full((4, 6, 3), 254, dtype=np.uint8)
@@ -116,6 +124,13 @@ _WITH_DOTS = ("png", "bmp", "tga")
 FORMATS = {
     "text": Format(MapFile, {"yard.txt": b"; moves: free\nS..#\n.#..\n...G\n"}, {}),
     "digits": Format(MapFile, {"yard.txt": b"0 0 0 1\n0 1 0 0\n0 0 0 0\n"}, {}),
+    "csv": Format(MapFile, {"yard.csv": b"# a yard\n2,0,1\n0,1,0\n0,0,3\n"}, {}),
+    "matlab": Format(MapFile, {"yard.m": b"yard = [2 0 1; ... a yard\n0, 1, 0 % wall\n0 0 3];\n"}, {}),
+    "python": Format(MapFile, {"yard.py": b"yard = np.array([[2, 0, 1],\n [0, 1.0, 0], [0, 0, 3]])\n"}, {}),
+    **{
+        f"npy, {kind}": Format(MapFile, {"yard.npy": _npy(np.array([[0, 0], [1, 0]], kind))}, {})
+        for kind in ("u1", "?", ">f8")
+    },
     "movingai": Format(
         MovingAI,
         {"yard.map": b"type octile\nheight 3\nwidth 4\nmap\n.GSS\n@OTW\n....\n"},

@@ -24,12 +24,12 @@ ROOT2 = math.sqrt(2)
 def moves_of(grid: Any) -> Moves:
     """Every move that the map's rule for diagonals allows; outside the map counts as blocked."""
     free = {(r, c) for r, row in enumerate(grid.obstacles) for c, wall in enumerate(row) if not wall}
-    blocked_beside = {"free": 2, "no_squeeze": 1, "no_cut": 0}[grid.moves]
+    blocked_beside = {"free": 2, "no_squeeze": 1, "no_cut": 0, "four": -1}[grid.moves]
     allowed: Moves = {cell: {} for cell in free}
     for r, c in free:
         for d, (down, right) in enumerate(STEPS):
-            beside = [(r + down, c), (r, c + right)] if d % 2 else []
-            if (r + down, c + right) in free and sum(b not in free for b in beside) <= blocked_beside:
+            beside = sum(b not in free for b in [(r + down, c), (r, c + right)])
+            if (r + down, c + right) in free and (d % 2 == 0 or beside <= blocked_beside):
                 allowed[r, c][d] = (r + down, c + right)
     return allowed
 

@@ -1,4 +1,4 @@
-"""Arguments: flags and overrides in any order, ranges of seeds, and what Hydra would misread told apart."""
+"""Arguments: flags and overrides in any order, ranges of numbers, and what Hydra would misread told apart."""
 
 from __future__ import annotations
 
@@ -11,22 +11,23 @@ from typing import Any, NamedTuple
 
 from hydra.core.override_parser.types import ChoiceSweep, Override
 
-from acoexp.colony.scalars import ColonySettings
 from acoexp.command.options.flags import flags_parser, split_arguments, without_config_dir
-from acoexp.command.options.keys import OPTIONS, JobKeys
+from acoexp.command.options.keys import OPTIONS
 from acoexp.command.options.quoting import hydra_text
-from acoexp.command.options.reading import check_options, check_texts, line_to_type, read, takes_text
+from acoexp.command.options.reading import (
+    check_options,
+    check_texts,
+    line_to_type,
+    read,
+    takes_text,
+    takes_whole_number,
+)
 from acoexp.errors import SettingsError, shown
-from acoexp.parameters import fields_of
 from acoexp.registry.entries import GROUPS
 from acoexp.strategies.groups import STRATEGY_GROUPS
 from acoexp.trial.seeds import parse_seeds
 
 _RANGES = re.compile(r"\d{1,20}(-\d{1,20})?(,\d{1,20}(-\d{1,20})?)*")
-_WHOLE_KEYS = {
-    name for owner in (JobKeys, ColonySettings) for name, field in fields_of(owner).items() if field.type == "int"
-}
-
 
 MOST_VALUES, MOST_JOBS = 100_000, 1_000_000
 """Values that one key of a sweep may have, and combinations of them all; each job costs Hydra some 50 ms."""
@@ -125,9 +126,9 @@ def _refuse_seed_with_seeds(overrides: list[str]) -> None:
 
 
 def _expand(override: str) -> str:
-    """Write the ranges of an override such as ``seed=0-4,7`` out."""
+    """Write the ranges of an override such as ``seed=0-4,7`` or ``map.seed=0-4`` out."""
     key, _, value = override.partition("=")
-    if key not in _WHOLE_KEYS or not _RANGES.fullmatch(value) or "-" not in value:
+    if not _RANGES.fullmatch(value) or "-" not in value or not takes_whole_number(key):
         return override
     numbers: list[int] = []
     for part in value.split(","):

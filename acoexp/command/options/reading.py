@@ -90,6 +90,11 @@ def takes_text(key: str) -> bool:
     return key.lstrip("+") in _FOLDERS or kinds == {True}
 
 
+def takes_whole_number(key: str) -> bool:
+    """Tell whether only a whole number can be meant by a key's value."""
+    return {hint is int for hint, _ in _declared(key)} == {True}
+
+
 def line_to_type(key: str, value: str, several: bool = False) -> str:
     """Return what to type into a shell so that a value is taken as the text that it is.
 

@@ -1,8 +1,9 @@
-"""Shortcuts: from each cell straight on to the farthest of the path that an octile run leads to, again and again.
+"""Shortcuts: from each cell straight on to the farthest of the path that a run leads to, again and again.
 
-An octile run makes all its diagonal moves and then all its straight ones, or the other way round: the shortest way
-there is between two cells. The farthest cell is searched in steps that double, then halve. On large maps little is
-left for the colony to do then: ``alpha=0`` beside it shows how little.
+A run makes all its diagonal moves and then all its straight ones, or the other way round; under the rule ``four``
+all along a column and then all along a row, or the other way round: the shortest way there is between two cells.
+The farthest cell is searched in steps that double, then halve. On large maps little is left for the colony to do
+then: ``alpha=0`` beside it shows how little.
 """
 
 from __future__ import annotations
@@ -21,26 +22,36 @@ from acoexp.strategies.post.geometric import optimise as optimise_geometrically
 
 
 class OwnState(NamedTuple):
-    """Attributes: place int32[cells], room to look up where a cell is; whether the geometric rules come first."""
+    """What it works with.
+
+    Attributes:
+        place: int32[cells], room to look up where a cell is.
+        geometric: Whether the geometric rules come first.
+        diagonals: Whether the map's rule has diagonal moves.
+    """
 
     place: NDArray[np.int32]
     geometric: bool
+    diagonals: bool
 
 
 @compiled
-def _run(colony: Any, cell: Any, target: Any, diagonal_first: Any, cells: Any, at: Any) -> Any:
-    """Return the moves of an octile run, 0 if it is blocked; write where they lead from a place in ``cells`` on.
+def _run(colony: Any, own: Any, cell: Any, target: Any, in_turn: Any, cells: Any, at: Any) -> Any:
+    """Return the moves of a run, 0 if it is blocked; write where they lead from a place in ``cells`` on.
 
-    Nothing is written where ``at`` is negative.
+    It has two legs, of which the first one comes first if they are ``in_turn``. Nothing is written where ``at`` is
+    negative.
     """
     down, right = target // colony.width - cell // colony.width, target % colony.width - cell % colony.width
-    diagonal = min(abs(down), abs(right))
-    moves = max(abs(down), abs(right))
     ahead, aside = np.sign(down) * colony.width, np.sign(right)
-    straight = ahead if abs(down) > abs(right) else aside
+    first, second, of_first, of_second = ahead, aside, abs(down), abs(right)
+    if own.diagonals:
+        first, second = ahead + aside, ahead if abs(down) > abs(right) else aside
+        of_first, of_second = min(abs(down), abs(right)), abs(abs(down) - abs(right))
+    moves = of_first + of_second
     for move in range(moves):
-        bends = move < diagonal if diagonal_first else move >= moves - diagonal
-        offset = ahead + aside if bends else straight
+        is_first = move < of_first if in_turn else move >= of_second
+        offset = first if is_first else second
         if not colony.allowed[cell] >> colony.direction_of[offset + colony.width + 1] & 1:
             return 0
         cell += offset
@@ -50,19 +61,19 @@ def _run(colony: Any, cell: Any, target: Any, diagonal_first: Any, cells: Any, a
 
 
 @compiled
-def _reaches(colony: Any, cells: Any, start: Any, place: Any) -> Any:
-    """Tell how an octile run leads to a place on the path: diagonal first 1, straight first 2, not at all 0."""
-    if _run(colony, start, np.int64(cells[place]), True, cells, -1) > 0:
+def _reaches(colony: Any, own: Any, cells: Any, start: Any, place: Any) -> Any:
+    """Tell how a run leads to a place on the path: its legs in turn 1, the other way round 2, not at all 0."""
+    if _run(colony, own, start, np.int64(cells[place]), True, cells, -1) > 0:
         return 1
-    return 2 if _run(colony, start, np.int64(cells[place]), False, cells, -1) > 0 else 0
+    return 2 if _run(colony, own, start, np.int64(cells[place]), False, cells, -1) > 0 else 0
 
 
 @compiled
-def _farthest(colony: Any, cells: Any, start: Any, place: Any, last: Any) -> Any:
-    """Return the farthest place on the path, from a place on, that an octile run leads to from a cell."""
+def _farthest(colony: Any, own: Any, cells: Any, start: Any, place: Any, last: Any) -> Any:
+    """Return the farthest place on the path, from a place on, that a run leads to from a cell."""
     stride, grows = 1, True
     while stride > 0:
-        reached = place + stride <= last and _reaches(colony, cells, start, place + stride) > 0
+        reached = place + stride <= last and _reaches(colony, own, cells, start, place + stride) > 0
         if reached:
             place += stride
         else:
@@ -72,14 +83,14 @@ def _farthest(colony: Any, cells: Any, start: Any, place: Any, last: Any) -> Any
 
 
 @compiled
-def straighten(colony: Any, cells: Any, count: Any) -> Any:
+def straighten(colony: Any, own: Any, cells: Any, count: Any) -> Any:
     """Go over a path once, and return how many cells are left."""
     kept = place = 0
     while place < count - 1:
         start = np.int64(cells[kept])
-        place = _farthest(colony, cells, start, place + 1, count - 1)
-        diagonal_first = _reaches(colony, cells, start, place) == 1
-        kept += _run(colony, start, np.int64(cells[place]), diagonal_first, cells, kept + 1)
+        place = _farthest(colony, own, cells, start, place + 1, count - 1)
+        in_turn = _reaches(colony, own, cells, start, place) == 1
+        kept += _run(colony, own, start, np.int64(cells[place]), in_turn, cells, kept + 1)
     return kept + 1
 
 
@@ -116,7 +127,7 @@ def optimise(colony: Any, own: Any, cells: Any, count: Any) -> Any:
         count = optimise_geometrically(colony, own, cells, count)
     while True:
         before, straight = count, _straight_moves(colony, cells, count)
-        count = cut_loops(own, cells, straighten(colony, cells, count))
+        count = cut_loops(own, cells, straighten(colony, own, cells, count))
         if count == before and _straight_moves(colony, cells, count) >= straight:
             return count
 
@@ -132,4 +143,5 @@ class Shortcut(Post):
     def prepare(self, problem: Problem) -> OwnState:
         """Make room to look cells up."""
         rows, _ = problem.grid.shape
-        return OwnState(np.full((rows + 2) * problem.width, -1, dtype=np.int32), self.geometric)
+        place = np.full((rows + 2) * problem.width, -1, dtype=np.int32)
+        return OwnState(place, self.geometric, problem.grid.moves != "four")

@@ -46,7 +46,7 @@ def report(smaller: Paper, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def experiment(few: None, tmp_path_factory: pytest.TempPathFactory) -> Experiment:
     """As many trials, made up."""
     made = context(tmp_path_factory.mktemp("made"), made_trials)
-    maps = {env: load_map(env, {}) for env in ENVIRONMENTS}
+    maps = {env: load_map(env) for env in ENVIRONMENTS}
     return Experiment(made, maps, frozenset(), TRIALS, ENSEMBLE_TRIALS)
 
 

@@ -40,7 +40,7 @@ def context(folder: Path, trials_of: Callable[..., Trials] = run_trials) -> Cont
         algo="pdg",
         preset=resolve("pdg", {}),
         settings=resolve("pdg", OWN),
-        grid=load_map("fig13", {}),
+        grid=load_map("fig13"),
         folder=folder,
         trials_of=trials_of,
     )

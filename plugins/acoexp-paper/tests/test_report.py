@@ -141,13 +141,13 @@ def test_what_was_there_stays_if_it_cannot_be_written(report: Path, monkeypatch:
 
 
 def test_a_true_map_takes_the_place_of_the_reconstruction_and_its_ensemble(smaller: Paper, tmp_path: Path) -> None:
-    grid = load_map("fig13", {})
+    grid = load_map("fig13")
     rows = "\n".join("".join(".#"[cell] for cell in row) for row in grid.obstacles.astype(int))
     (tmp_path / "true.txt").write_text(f"; moves: {grid.moves}\n{rows}\n", encoding="utf-8")
     paper = replace(smaller, maps=(f"fig13={tmp_path / 'true.txt'}",))
     given = paper.true_maps()
     assert given["fig13"].digest == grid.digest
-    maps = {"fig13": given["fig13"], "env2": load_map("env2", {})}
+    maps = {"fig13": given["fig13"], "env2": load_map("env2")}
     experiment = Experiment(context(tmp_path), maps, frozenset(given), 10, ENSEMBLE_TRIALS)
     assert experiment.further_maps("fig13") == []
     assert len(experiment.further_maps("env2")) == MAPS
@@ -178,7 +178,7 @@ def test_a_map_that_is_not_the_papers_is_refused(
 
 
 def test_settings_that_would_not_be_used_are_refused(tmp_path: Path) -> None:
-    other_map = replace(context(tmp_path), grid=load_map("env2", {}))
+    other_map = replace(context(tmp_path), grid=load_map("env2"))
     with pytest.raises(AcoexpError, match="map: expected none with report=paper"):
         Paper().check(other_map)
     other_part = replace(context(tmp_path), settings=resolve("pdg", {"post": "none"}))

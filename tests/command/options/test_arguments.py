@@ -56,6 +56,9 @@ def test_no_order_of_flags_and_overrides_loses_any(data: st.DataObject) -> None:
         ("seed=3-3", "seed=3"),
         ("ants=1-3", "ants=1,2,3"),
         ("iterations=98-101", "iterations=98,99,100,101"),
+        ("map.seed=0-3", "map.seed=0,1,2,3"),
+        ("map.instance=7,0-2", "map.instance=7,0,1,2"),
+        ("threads=1-2", "threads=1,2"),
     ],
 )
 def test_a_range_stands_for_all_its_whole_numbers(written: str, numbers: str) -> None:
@@ -72,6 +75,9 @@ def test_a_range_stands_for_all_its_whole_numbers(written: str, numbers: str) ->
         "seed=range(0,3)",
         "map.path=1-3",
         "map.path=a-b",
+        "map.density=0-1",
+        "map.nothing=0-1",
+        "report.seeds=0-1",
         "rho=0-1",
         "map.start=[1,2]",
     ],
@@ -83,10 +89,12 @@ def test_what_is_no_range_of_whole_numbers_stays_as_it_is(written: str) -> None:
 def test_a_range_must_not_run_backwards() -> None:
     with pytest.raises(SettingsError, match=r"seed: expected a range from low to high.*'9-0'"):
         normalise(["seed=1,9-0", "-m"])
+    with pytest.raises(SettingsError, match=r"map\.seed: expected a range from low to high.*'9-0'"):
+        normalise(["map.seed=1,9-0", "-m"])
 
 
 @pytest.mark.parametrize(
-    "several", ["seed=0-9", "seed=0,1", "algo=aco,pd", "rho=choice(0.1,0.2)", "seed=range(0,9)"]
+    "several", ["seed=0-9", "map.seed=0-9", "seed=0,1", "algo=aco,pd", "rho=choice(0.1,0.2)", "seed=range(0,9)"]
 )
 def test_a_forgotten_m_is_told(several: str) -> None:
     with pytest.raises(SettingsError) as caught:

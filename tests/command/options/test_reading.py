@@ -6,7 +6,7 @@ import shlex
 
 import pytest
 
-from acoexp.command.options.reading import check_texts, line_to_type, read, takes_text
+from acoexp.command.options.reading import check_texts, line_to_type, read, takes_text, takes_whole_number
 from acoexp.errors import SettingsError
 
 
@@ -61,7 +61,11 @@ def test_what_is_no_override_is_refused(override: str) -> None:
         ("rho=a=b", "rho: expected a number from 0 to 1; got 'a=b'"),
         ("rho=${a", "rho: expected a number from 0 to 1; got '${a'"),
         ("map.start=[1,", "map.start: expected a pair [row, column]; got '[1,'"),
-        ("map=a b(", "map: expected one of: env1, env2, fig13, file, image, movingai, ros; got 'a b('"),
+        (
+            "map=a b(",
+            "map: expected one of: env1, env2, fig13, file, image, maze, movingai, random, rectangles, rooms, "
+            "ros; got 'a b('",
+        ),
         (
             "post=geometrik(",
             "post: expected one of: geometric, none, shortcut; got 'geometrik('; did you mean geometric?",
@@ -171,6 +175,27 @@ def test_a_folder_that_hydra_would_take_for_another_is_refused(
 )
 def test_keys_of_texts_are_known_from_their_declarations(key: str, takes: bool) -> None:
     assert takes_text(key) is takes
+
+
+@pytest.mark.parametrize(
+    ("key", "takes"),
+    [
+        ("seed", True),
+        ("+seed", True),
+        ("ants", True),
+        ("map.seed", True),
+        ("map.instance", True),
+        ("map.path", False),
+        ("map.size", False),
+        ("rho", False),
+        ("map.density", False),
+        ("resume", False),
+        ("seeds", False),
+        ("nope", False),
+    ],
+)
+def test_keys_of_whole_numbers_are_known_from_their_declarations(key: str, takes: bool) -> None:
+    assert takes_whole_number(key) is takes
 
 
 @pytest.mark.parametrize(

@@ -105,7 +105,7 @@ def test_weights_grow_by_the_power_alpha() -> None:
     assert math.isclose(colony.weight[edge] / before, 1.1**2)
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_on_every_cell_it_does_what_the_reference_does(moves: str) -> None:
     grid = random_grid(11, 9, 12, moves, density=0.35)
     problem, part, reference = problem_on(grid), Gaussian(gamma=0.4), Reference("pd", gamma=0.4)

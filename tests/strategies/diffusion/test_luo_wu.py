@@ -96,7 +96,7 @@ def test_nothing_diffuses_where_no_force_acts() -> None:
     assert diffused(problem_on(Grid(np.zeros((5, 5))), {"attraction": 0.0}), (2, 2)) == {}
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_on_every_cell_it_does_what_the_reference_does(moves: str) -> None:
     grid = random_grid(12, 9, 12, moves, density=0.35)
     problem, part, reference = problem_on(grid), LuoWu(gamma=0.4), Reference("pf", gamma=0.4)

@@ -14,7 +14,7 @@ from acoexp import Grid
 from acoexp.strategies.heuristic.geodesic import Geodesic
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_eta_is_the_exponential_of_how_much_of_the_way_a_move_saves(moves: str) -> None:
     grid = random_grid(13, 9, 12, moves)
     eta = Geodesic(strength=0.5).eta(problem_on(grid))

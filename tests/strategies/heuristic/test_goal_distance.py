@@ -40,7 +40,7 @@ def test_an_eta_at_the_goal_that_is_none_is_refused(at_goal: float) -> None:
         build(GoalDistance, {"at_goal": at_goal})
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_on_every_edge_it_is_the_references(moves: str) -> None:
     grid, colony = random_grid(13, 9, 12, moves), Reference("aco", at_goal=7.0)
     eta = GoalDistance(at_goal=7.0).eta(problem_on(grid))

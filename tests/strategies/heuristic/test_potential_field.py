@@ -47,7 +47,7 @@ def test_where_no_force_acts_it_is_goal_distance() -> None:
     assert (ForceGuided(guidance=3.0).eta(problem) == GoalDistance().eta(problem)).all()
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_on_every_edge_it_is_the_references(moves: str) -> None:
     grid, colony = random_grid(14, 9, 12, moves), Reference("pf", guidance=1.5, repulsion=60.0)
     eta = ForceGuided(guidance=1.5).eta(problem_on(grid, {"repulsion": 60.0}))

@@ -13,7 +13,7 @@ from acoexp import Grid
 from acoexp.strategies.heuristic.progress import Progress
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 @pytest.mark.parametrize("strength", [0.0, 0.5, 2.0])
 def test_eta_is_the_exponential_of_how_much_nearer_to_the_goal_a_move_leads(strength: float, moves: str) -> None:
     grid = random_grid(13, 9, 12, moves)

@@ -27,13 +27,16 @@ def applied(grid: Grid, path: Path, **parameters: Any) -> Path:
     return [(int(row) - 1, int(col) - 1) for row, col in zip(rows, cols, strict=True)]
 
 
-def run_between(moves: Moves, a: Cell, b: Cell) -> Path | None:
-    """Return the cells of an octile run, but for ``a``, the diagonal first if both are free; None if none is."""
+def run_between(moves: Moves, a: Cell, b: Cell, rule: str) -> Path | None:
+    """Return the cells of a run, but for ``a``, diagonal or column first if both are free; None if none is."""
     down, right = b[0] - a[0], b[1] - a[1]
     bends, steps = min(abs(down), abs(right)), max(abs(down), abs(right))
-    aslant = (np.sign(down), np.sign(right))
-    along = (np.sign(down), 0) if abs(down) > abs(right) else (0, np.sign(right))
-    for legs in ([aslant] * bends + [along] * (steps - bends), [along] * (steps - bends) + [aslant] * bends):
+    aslant = [(np.sign(down), np.sign(right))] * bends
+    along = [(np.sign(down), 0) if abs(down) > abs(right) else (0, np.sign(right))] * (steps - bends)
+    if rule == "four":
+        aslant, along = [(np.sign(down), 0)] * abs(down), [(0, np.sign(right))] * abs(right)
+        steps = abs(down) + abs(right)
+    for legs in (aslant + along, along + aslant):
         cell, run = a, []
         for step in legs:
             target = (cell[0] + int(step[0]), cell[1] + int(step[1]))
@@ -45,22 +48,22 @@ def run_between(moves: Moves, a: Cell, b: Cell) -> Path | None:
     return None
 
 
-def straightened(path: Path, moves: Moves) -> Path:
+def straightened(path: Path, moves: Moves, rule: str) -> Path:
     """Lead a path straight on until it gets no shorter; the farthest cell is found by doubling and halving."""
     kept, place = [path[0]], 0
     while place < len(path) - 1:
         place, stride, grows = place + 1, 1, True
         while stride:
             ahead = place + stride
-            if ahead < len(path) and run_between(moves, kept[-1], path[ahead]) is not None:
+            if ahead < len(path) and run_between(moves, kept[-1], path[ahead], rule) is not None:
                 place = ahead
             else:
                 grows = False
             stride = stride * 2 if grows else stride // 2
-        kept += run_between(moves, kept[-1], path[place]) or []
+        kept += run_between(moves, kept[-1], path[place], rule) or []
     kept = without_loops(kept)
     shorter = length_of(pair_of(kept)) < length_of(pair_of(path)) - 1e-9
-    return straightened(kept, moves) if shorter else kept
+    return straightened(kept, moves, rule) if shorter else kept
 
 
 def without_loops(path: Path) -> Path:
@@ -84,8 +87,9 @@ def test_a_cell_that_runs_lead_over_twice_is_on_the_path_once() -> None:
 def test_every_path_becomes_what_the_plain_search_makes_of_it(walk: tuple[Grid, Path]) -> None:
     grid, path = walk
     moves = moves_of(grid)
-    assert applied(grid, path) == straightened(path, moves)
-    assert applied(grid, path, geometric=True) == straightened(reference.optimised(path, moves), moves)
+    assert applied(grid, path) == straightened(path, moves, grid.moves)
+    optimised = reference.optimised(path, moves)
+    assert applied(grid, path, geometric=True) == straightened(optimised, moves, grid.moves)
 
 
 @settings(max_examples=200, deadline=None)
@@ -98,8 +102,10 @@ def test_it_is_a_way_and_never_longer(walk: tuple[Grid, Path]) -> None:
         assert length_of(pair_of(shorter)) <= length_of(pair_of(path)) + 1e-9
 
 
-@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut"])
+@pytest.mark.parametrize("moves", ["free", "no_squeeze", "no_cut", "four"])
 def test_where_nothing_is_in_the_way_it_finds_the_shortest(moves: str) -> None:
     grid = Grid(np.zeros((9, 14)), start=(8, 0), goal=(0, 13), moves=moves)
-    around = [(row, 0) for row in range(8, -1, -1)] + [(0, col) for col in range(1, 14)]
+    across = [(row, col) for col in range(14) for row in (range(8, -1, -1) if col % 2 == 0 else range(9))]
+    around = across[: across.index(grid.goal) + 1]
+    assert is_way(grid, around)
     assert length_of(pair_of(applied(grid, around))) == grid.optimum

@@ -54,7 +54,7 @@ class Paper(Report):
             raise SettingsError(
                 f"{', '.join(context.own_parts)}: expected none with report=paper, which sets the parts"
             )
-        if context.grid.digest != load_map("fig13", {}).digest:
+        if context.grid.digest != load_map("fig13").digest:
             raise SettingsError(
                 "map: expected none with report=paper; your own go into report.maps=['fig13=path']"
             )
@@ -67,7 +67,7 @@ class Paper(Report):
             StrategyError: if a trial failed.
         """
         given = self.true_maps()
-        maps = {env: given.get(env) or load_map(env, {}) for env in ENVIRONMENTS}
+        maps = {env: given.get(env) or load_map(env) for env in ENVIRONMENTS}
         experiment = Experiment(context, maps, frozenset(given), self.trials, self.ensemble_trials)
         with shown_progress(experiment.size + trials_of_readings(experiment)) as show:
             found = Findings.of(replace(experiment, context=replace(context, show=show)), CLAIMS)

@@ -41,7 +41,7 @@ def test_the_path_is_drawn_as_it_was_walked_and_optimised() -> None:
 
 @pytest.mark.parametrize("moves", ["free", "no_cut"])
 def test_forces_along_forbidden_moves_are_orange(moves: str) -> None:
-    grid = Grid(load_map("fig13", {}).obstacles, moves=moves)
+    grid = Grid(load_map("fig13").obstacles, moves=moves)
     axes = draw_fields({"fig13": grid, "env2": grid}, FieldSettings()).axes[0]
     (blue, orange) = axes.collections[1:]
     field = potential_field(grid.obstacles, grid.goal, FieldSettings())

@@ -36,7 +36,7 @@ def test_in_table_3_all_trials_converge_to_the_published_optimum(env: str, algo:
 
 @pytest.mark.parametrize("env", ENVIRONMENTS)
 def test_the_published_optimum_is_that_of_the_built_in_map(env: str) -> None:
-    assert load_map(env, {}).optimum_pair == ENVIRONMENTS[env].optimum_pair
+    assert load_map(env).optimum_pair == ENVIRONMENTS[env].optimum_pair
 
 
 def test_nothing_but_the_optimum_is_known_of_the_environment_without_a_table_of_its_own() -> None:
