@@ -15,8 +15,8 @@ from acoexp.colony.orders import ORDERS
 from acoexp.colony.pheromone import refresh, reset
 from acoexp.colony.random import seed_stream
 from acoexp.colony.state import Kernel, Kernels
+from acoexp.colony.steps import idle
 from acoexp.colony.trails import copy_trail, leads_to_goal, read_cells, write_cells
-from acoexp.colony.walk import idle
 
 NO_PATH = -1
 """What the loop returns if a choice made moves that are not allowed, or never came to an end."""

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from acoexp.colony.state import Kernel
+from acoexp.colony.steps import idle
 from acoexp.colony.two_ended import at_both_ends, two_ended
-from acoexp.colony.walk import Walk, idle, in_turn, lock_step
+from acoexp.colony.walk import Walk, in_turn, lock_step
 
 
 def _at_one_end(update: Kernel) -> tuple[Kernel, Kernel]:

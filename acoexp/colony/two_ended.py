@@ -15,9 +15,9 @@ import numpy as np
 from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import refresh, reset
 from acoexp.colony.state import Kernel
+from acoexp.colony.steps import came_by, idle, is_allowed, leaves
 from acoexp.colony.tabu import forget, touch
 from acoexp.colony.trails import copy_trail, measure
-from acoexp.colony.walk import came_by, idle, is_allowed, leaves
 
 AT_START, AT_GOAL = 0, 1
 """Rows of what a pair remembers."""
