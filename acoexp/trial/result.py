@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -15,6 +16,16 @@ from acoexp.trial.features import Features, curve_of, features_of, without_nan, 
 
 Pair = tuple[int, int]
 """A length as (straight, diagonal) moves, exact."""
+
+
+def why_lost(after: float, optimum: float) -> str:
+    """Say in some words why no ant arrived.
+
+    Args:
+        after: Moves after which they were lost, on average.
+        optimum: Length of the shortest way.
+    """
+    return f"they were lost after {after:.0f} moves on average, and the goal is {optimum:.0f} cells away"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -122,6 +133,11 @@ class Result:
         """Whether the run's best path is a shortest one."""
         return self.l1_pair == self.optimum_pair
 
+    @property
+    def lost_after(self) -> float:
+        """Moves after which an ant was lost, on average, where none ever arrived; nan where one did."""
+        return self.ant_steps / int(self.lost_ants.sum()) if self.moves is None else math.nan
+
     def as_dict(self) -> dict[str, Any]:
         """Return everything as plain values for JSON; None where there is no value."""
         plain = {
@@ -151,6 +167,8 @@ class Result:
 
     def __repr__(self) -> str:
         found = f"l1={self.l1:.4f} l2={self.l2:.4f} x1={self.x1} x2={self.x2} x3={self.x3}"
+        if self.moves is None:
+            found = f"no ant arrived: {why_lost(self.lost_after, self.optimum)}"
         return (
             f"<{self.algo} on {self.grid.name}, seed {self.seed}: {found}, optimum {self.optimum:.4f}, "
             f"{int(self.lost_ants.sum())} ants lost>"

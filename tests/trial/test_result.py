@@ -93,3 +93,12 @@ def test_at_a_prompt_it_is_one_line() -> None:
     assert repr(result((4, 0), (0, 2), (-1, -1))) == (
         "<aco on yard, seed 3: l1=2.8284 l2=nan x1=2 x2=2 x3=0, optimum 2.8284, 1 ants lost>"
     )
+
+
+def test_where_no_ant_ever_arrived_it_says_how_far_they_came() -> None:
+    assert LOST.lost_after == 6.0  # twelve moves of two ants
+    assert repr(LOST) == (
+        "<aco on yard, seed 3: no ant arrived: they were lost after 6 moves on average, and the goal is 3 cells "
+        "away, optimum 2.8284, 2 ants lost>"
+    )
+    assert math.isnan(result((4, 0)).lost_after)

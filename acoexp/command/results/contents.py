@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from acoexp.tracking.setup import Found, Setup, Trial
 from acoexp.trial.batch import Batch
 from acoexp.trial.features import NAMES
@@ -16,6 +18,7 @@ def trial_record(trial: Trial, seconds: float) -> dict[str, Any]:
     """Return the record of a trial that took so many seconds."""
     return {
         **trial.result.as_dict(),
+        "lost_after": trial.result.lost_after,
         "seconds": seconds,
         "configuration_id": trial.setup.configuration_id,
         "config": trial.params,
@@ -24,9 +27,12 @@ def trial_record(trial: Trial, seconds: float) -> dict[str, Any]:
 
 def batch_record(setup: Setup, seeds: Seeds, batch: Batch) -> dict[str, Any]:
     """Return the record of a batch with at least one finished trial."""
-    summary = aggregate(batch.table, setup.grid.optimum, setup.settings.scalars.iterations)
+    scalars = setup.settings.scalars
+    summary = aggregate(batch.table, setup.grid.optimum, scalars.iterations)
+    in_vain = batch.table["ant_steps"][np.isnan(batch.table["l1"])]
     return {
         **_head(setup),
+        "lost_after": float(in_vain.mean()) / (scalars.ants * scalars.iterations) if in_vain.size else None,
         "config": {**setup.params, "seeds": str(seeds)},
         **summary._asdict(),
         "failed": len(batch.failures),

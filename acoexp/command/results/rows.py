@@ -23,6 +23,8 @@ class Row(NamedTuple):
         summary: What the trials say together.
         found: How many found the optimum.
         milliseconds: Mean time of a trial; nan where all came from the store.
+        lost_after: Moves after which an ant was lost, on average, in trials in which none ever arrived; nan where
+            there is none, or all such came from the store.
     """
 
     algo: str
@@ -32,6 +34,7 @@ class Row(NamedTuple):
     summary: Aggregates
     found: int
     milliseconds: float
+    lost_after: float
 
 
 def rows_of(records: Iterable[Mapping[str, Any]]) -> list[Row]:
@@ -50,6 +53,7 @@ def _of_batch(record: Mapping[str, Any]) -> Row:
         summary=summary,
         found=round(summary.success_rate * summary.trials),
         milliseconds=1000.0 * (math.nan if record["seconds"] is None else record["seconds"]),
+        lost_after=_mean_of([record], "lost_after"),
     )
 
 
@@ -65,13 +69,19 @@ def _of_trials(records: list[Mapping[str, Any]]) -> Row:
         for name in NAMES:
             row[name] = _feature(name, record[name])
     optimum = records[0]["optimum"]
-    seconds = [record["seconds"] for record in records if record["seconds"] is not None]
     return Row(
         *_head(records[0]),
         summary=aggregate(table, optimum, 0)._replace(expected_cycles=math.nan),  # not in the table
         found=int((table["l1"] == optimum).sum()),
-        milliseconds=1000.0 * float(np.mean(seconds)) if seconds else math.nan,
+        milliseconds=1000.0 * _mean_of(records, "seconds"),
+        lost_after=_mean_of(records, "lost_after"),
     )
+
+
+def _mean_of(records: Iterable[Mapping[str, Any]], name: str) -> float:
+    """Return the mean over the records that have a value; nan if none has."""
+    values = [record[name] for record in records if record.get(name) is not None]
+    return float(np.mean(values)) if values else math.nan
 
 
 def _feature(name: str, value: Any) -> float:

@@ -14,6 +14,7 @@ from rich.table import Table
 
 from acoexp.command.results.records import TRIAL, read_record
 from acoexp.command.results.rows import Row, rows_of
+from acoexp.trial.result import why_lost
 
 _NOT_VARIED = {"algo", "map.name", "seed", "seeds"}
 
@@ -60,6 +61,10 @@ def _warn_of_lost(console: Console, rows: Sequence[Row]) -> None:
     never, trials = sum(row.summary.never_arrived for row in rows), sum(row.summary.trials for row in rows)
     if never:
         console.print(f"in {never} of {trials} trials no ant ever reached the goal: all were lost on the way")
+    for row in rows:
+        if not math.isnan(row.lost_after):
+            advice = "" if row.config.get("dead_end") == "step_back" else "; algo=nav steps back from dead ends"
+            console.print(f"{row.algo} on {row.map}: {why_lost(row.lost_after, row.optimum)}{advice}")
 
 
 def _console() -> Console:

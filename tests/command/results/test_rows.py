@@ -76,3 +76,11 @@ def test_rows_stand_by_map_and_algorithm_and_then_by_settings_numbers_as_numbers
     places = [("env2", "pd"), ("env1", "pdg"), ("env1", "aco")]
     rows = rows_of([trial(configuration=f"{name} {algo}", map=name, algo=algo) for name, algo in places])
     assert [(row.map, row.algo) for row in rows] == sorted(places)
+
+
+def test_how_far_lost_ants_came_is_known_of_what_was_run() -> None:
+    (row,) = rows_of([trial(0, lost_after=None), trial(1, lost_after=3.0), trial(2, lost_after=5.0)])
+    assert row.lost_after == 4.0
+    (row,) = rows_of([batch(lost_after=7.0)])
+    assert row.lost_after == 7.0
+    assert math.isnan(rows_of([batch()])[0].lost_after)

@@ -91,3 +91,18 @@ def test_the_end_says_how_it_ended_and_where_everything_lies(tmp_path: Path, cap
 
 def test_a_sweep_without_a_finished_trial_has_no_table(tmp_path: Path, capsys: Any) -> None:
     assert table_of(tmp_path, [], capsys)[0] == ["all", "is", "done"]
+
+
+@pytest.mark.parametrize(
+    ("dead_end", "advice"), [("lost", "; algo=nav steps back from dead ends"), ("step_back", "")]
+)
+def test_where_no_ant_ever_arrived_it_says_why_and_what_helps(
+    dead_end: str, advice: str, tmp_path: Path, capsys: Any
+) -> None:
+    lost = {"x1": 0, "x2": 0, "x3": 0, "l1": None, "l2": None, "l1_pair": None, **config(dead_end=dead_end)}
+    trials = [trial(0, **config(dead_end=dead_end)), *(trial(s, **lost, lost_after=s) for s in (200, 230))]
+    lines = [" ".join(line) for line in table_of(tmp_path, trials, capsys)]
+    assert lines[-5] == "in 2 of 3 trials no ant ever reached the goal: all were lost on the way"
+    assert lines[-4] == (
+        f"pdg on env2: they were lost after 215 moves on average, and the goal is 10 cells away{advice}"
+    )
