@@ -87,6 +87,19 @@ def laid_astray(solver: Solver, seed: int) -> list[str]:
     return astray
 
 
+def gone_twice(solver: Solver, seed: int) -> tuple[int, int] | None:
+    """Return a cell, (row, column), to which an ant of a trial's last cycle went twice; None if there is none."""
+    room = solver.room_after(seed)
+    for ant in range(room.colony.ants):
+        moves = room.raw.moves[ant, : room.raw.steps[ant]]
+        cells = int(room.colony.start) + np.cumsum(np.append(0, room.colony.offsets[moves]))
+        known, counts = np.unique(cells, return_counts=True)
+        if counts.max() > 1:
+            row, col = divmod(int(known[counts.argmax()]), int(room.colony.width))
+            return row - 1, col - 1
+    return None
+
+
 def everything(result: Result) -> str:
     """Return all that a trial leaves behind, as one text to be compared."""
     return json.dumps(result.as_dict())

@@ -19,6 +19,7 @@ from acoexp.testing.checks import (
     cost,
     digest,
     everything,
+    gone_twice,
     group_of,
     laid_astray,
     solvers,
@@ -73,6 +74,15 @@ class StrategyContract:
             assert not astray, (
                 f"on {grid.name}: pheromone was changed on {len(astray)} moves that are not allowed, such as "
                 f"{astray[0]}; expected colony.allowed[cell] >> direction & 1 to be asked first"
+            )
+
+    def test_no_ant_goes_where_it_has_been(self) -> None:
+        """A choice leaves out cells that ``colony.untouched`` marks, and no other part marks or frees any."""
+        for grid, solver in self._solvers():
+            twice = gone_twice(solver, SEEDS[0])
+            assert twice is None, (
+                f"on {grid.name}: an ant went to {twice} twice; expected colony.untouched[cell] to be asked first, "
+                "as acoexp.colony.tabu.is_open does"
             )
 
     def test_without_the_compiler_it_does_the_same(self) -> None:

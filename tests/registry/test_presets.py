@@ -21,7 +21,7 @@ TABLE = {
     "rank": ("goal_distance", "roulette", "none", "none", "rank_based"),
     "mmas": ("goal_distance", "roulette", "none", "none", "max_min"),
     "acs": ("goal_distance", "acs", "none", "none", "global_best"),
-    "nav": ("progress", "roulette", "gaussian", "shortcut", "dual_ant_cycle"),
+    "nav": ("coarse", "roulette", "none", "shortcut", "rank_based"),
 }
 
 

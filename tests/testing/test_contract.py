@@ -32,7 +32,7 @@ import numpy as np
 
 from acoexp.colony.compiled import compiled
 from acoexp.colony.pheromone import deposit, set_level
-from acoexp.strategies import Diffusion
+from acoexp.strategies import Choice, Diffusion
 
 
 @compiled
@@ -90,6 +90,19 @@ class Random(Diffusion):
     kernel = staticmethod(at_random)
 
 
+@compiled
+def to_and_fro(colony, own, ant, cell, came):
+    for direction in range(8):
+        if colony.allowed[cell] >> direction & 1 and direction != came:
+            return direction
+    return came
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wandering(Choice):
+    kernel = staticmethod(to_and_fro)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Wrapping(Diffusion):
     kernel = staticmethod(wrap_around)
@@ -131,6 +144,11 @@ def test_pheromone_that_is_laid_where_no_ant_may_go_is_found(contract_of: Any) -
         contract_of("Anywhere").test_pheromone_is_laid_on_allowed_moves_alone()
 
 
+def test_an_ant_that_goes_where_it_has_been_is_found(contract_of: Any) -> None:
+    with pytest.raises(AssertionError, match=r"an ant went to \(\d+, \d+\) twice; expected colony.untouched"):
+        contract_of("Wandering").test_no_ant_goes_where_it_has_been()
+
+
 def test_a_part_that_does_not_compile_fails_one_test_alone(contract_of: Any) -> None:
     tests = contract_of("Uncompilable")
     with pytest.raises(StrategyError, match="diffusion 'Uncompilable' cannot be compiled: "):
@@ -138,6 +156,7 @@ def test_a_part_that_does_not_compile_fails_one_test_alone(contract_of: Any) -> 
     others = (
         tests.test_a_trial_depends_on_its_seed_alone,
         tests.test_pheromone_is_laid_on_allowed_moves_alone,
+        tests.test_no_ant_goes_where_it_has_been,
         tests.test_nothing_is_read_or_written_out_of_bounds,
         tests.test_without_the_compiler_it_does_the_same,
         lambda: tests.test_cost_per_ant_step(print),
@@ -179,6 +198,7 @@ def test_a_part_of_each_group_passes(part: Any, capsys: pytest.CaptureFixture[st
     tests.test_it_compiles_and_finds_valid_paths()
     tests.test_a_trial_depends_on_its_seed_alone()
     tests.test_pheromone_is_laid_on_allowed_moves_alone()
+    tests.test_no_ant_goes_where_it_has_been()
     tests.test_without_the_compiler_it_does_the_same()
     tests.test_cost_per_ant_step(noted.__setitem__)
     assert noted["ratio_to_plain"] > 0.1
