@@ -10,6 +10,7 @@ from typing import Any
 
 from hydra.core.config_store import ConfigStore
 from hydra.core.plugins import Plugins
+from omegaconf import DictConfig, OmegaConf
 
 from acoexp.errors import SettingsError, shown
 from acoexp.parameters import build, defaults_of, parameter
@@ -24,9 +25,7 @@ _HIGHEST_SEED = 2**31 - 1
 class TuningKeys:
     """A study, and how many trials of it are run."""
 
-    direction: str = parameter(
-        "minimize", "what is best of what jobs return", choices=("minimize", "maximize")
-    )
+    direction: str = parameter("minimize", "what is best of what jobs return", choices=("minimize", "maximize"))
     storage: str | None = parameter(
         None, "database that keeps the study, such as sqlite:///study.db; kept nowhere if null"
     )
@@ -58,7 +57,9 @@ class Tpe(Random):
 class CmaEs(Random):
     """Covariance matrix adaptation (Hansen & Ostermeier 2001), for two numbers or more."""
 
-    sigma0: float | None = parameter(None, "first step size; a sixth of the narrowest key's width if null", above=0.0)
+    sigma0: float | None = parameter(
+        None, "first step size; a sixth of the narrowest key's width if null", above=0.0
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,20 +93,23 @@ def register_tuning() -> None:
         store.store(group="hydra/sweeper/sampler", name=name, node={"name": name, **defaults_of(owner)})
 
 
-def read_tuning(values: dict[str, Any]) -> tuple[TuningKeys, str, Any]:
-    """Return the keys of a study, its sampler's name, and the sampler's keys.
+def read_tuning(config: DictConfig) -> tuple[TuningKeys, dict[str, Any], tuple[str, Any]]:
+    """Return the keys of a study, further overrides of its jobs, and its sampler: the name, and the keys.
 
     Args:
-        values: What the configuration has below ``hydra.sweeper``, but for ``params``.
+        config: What the configuration has below ``hydra.sweeper``.
 
     Raises:
-        SettingsError: if one is unknown, or has a wrong value.
+        SettingsError: if a key is unknown, or has a wrong value.
     """
-    given = dict(values)
-    sampler = given.pop("sampler", None)
-    keys: TuningKeys = build(TuningKeys, given, "hydra.sweeper.")
-    sampler = dict(sampler) if isinstance(sampler, dict) else {"name": sampler}
-    name = sampler.pop("name", None)
-    if name not in SAMPLERS:
-        raise SettingsError(f"hydra/sweeper/sampler: expected one of: {', '.join(SAMPLERS)}; got {shown(name)}")
-    return keys, name, build(SAMPLERS[name], sampler, "hydra.sweeper.sampler.")
+    plain: Any = OmegaConf.to_container(config, resolve=True)
+    keys = {key: value for key, value in plain.items() if key not in ("_target_", "params", "sampler")}
+    params, sampler = plain["params"] or {}, plain["sampler"]
+    if not isinstance(params, dict):
+        raise SettingsError(f"hydra.sweeper.params: expected keys with values; got {shown(params)}")
+    if not isinstance(sampler, dict) or sampler.get("name") not in list(SAMPLERS):
+        came = sampler.get("name") if isinstance(sampler, dict) else sampler
+        raise SettingsError(f"hydra/sweeper/sampler: expected one of: {', '.join(SAMPLERS)}; got {shown(came)}")
+    name = sampler.pop("name")
+    chooses = build(SAMPLERS[name], sampler, "hydra.sweeper.sampler.")
+    return build(TuningKeys, keys, "hydra.sweeper."), params, (name, chooses)

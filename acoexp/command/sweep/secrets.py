@@ -10,7 +10,7 @@ _ADDRESSES = ("tracking.uri", "hydra.sweeper.storage")
 
 
 def without_secrets(text: str, config: DictConfig) -> str:
-    """Return a text that repeats a configuration of Hydra's, the secrets of its addresses masked wherever they stand."""
+    """Return a text that repeats a configuration, the secrets of its addresses masked wherever they stand."""
     for key in _ADDRESSES:
         text = masked(text, str(OmegaConf.select(config, key, default=None) or ""))
     return text

@@ -1,4 +1,4 @@
-"""Optuna's own things made from ours: what chooses, what is chosen from, and the database that a study is kept in."""
+"""Optuna's own things made from ours: what chooses, what is chosen from, and the database of a study."""
 
 from __future__ import annotations
 

@@ -9,6 +9,7 @@ from decimal import Decimal, DecimalException
 from itertools import product
 from typing import Any
 
+from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.override_parser.types import IntervalSweep, Override, RangeSweep
 
 from acoexp.command.options.arguments import MOST_VALUES
@@ -122,6 +123,12 @@ class Space:
         """Return what a job is told for whom a value of each key was chosen."""
         return [*(f"{key}={self.keys[key].text(value)}" for key, value in values.items()), *self.fixed]
 
+    def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return values that were chosen as what they are: of a text such as ``true``, what Hydra reads."""
+        parser = OverridesParser.create()
+        chosen = {key: value for key, value in values.items() if isinstance(self.keys.get(key), Choice)}
+        return {**values, **{key: parser.parse_override(f"{key}={text}").value() for key, text in chosen.items()}}
+
     def samples(self) -> list[Overrides]:
         """Return what a few jobs are told who together have each choice and both ends of each interval."""
         longest = max(len(values.ends) for values in self.keys.values())
@@ -176,7 +183,9 @@ def _values(override: Override) -> Numbers | Choice | None:
 def _interval(override: Override, sweep: IntervalSweep) -> Numbers:
     low, high = sweep.start, sweep.end
     if low is None or high is None or not (math.isfinite(low) and math.isfinite(high) and low <= high):
-        raise SettingsError(f"{_said(override)}: expected interval(low,high), from a number to one that is no smaller")
+        raise SettingsError(
+            f"{_said(override)}: expected interval(low,high), from a number to one that is no smaller"
+        )
     whole = isinstance(low, int) and isinstance(high, int)
     return Numbers(low, high, step=1 if whole and "log" not in sweep.tags else None, log="log" in sweep.tags)
 

@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+import yaml
 
 from acoexp.command.options.tuning import TuningKeys
 from acoexp.command.tuning.opening import distribution, quiet, sampler_of, storage_at
 from acoexp.command.tuning.space import Numbers, Space
+from acoexp.console.whole import write_whole
 from acoexp.errors import AcoexpError, SettingsError, TrackingError, shown
 from acoexp.tracking.mlflow.failures import reason_of
 from acoexp.tracking.mlflow.store import Store
@@ -40,7 +44,7 @@ class Study:
     """
 
     def __init__(self, keys: TuningKeys, sampler: tuple[str, Any], space: Space) -> None:
-        self._space = space
+        self.space = space
         self._store = None if keys.storage is None else _store(keys.storage)
         self._is_grid = sampler[0] == "grid"
         _check_sampler(sampler[0], space)
@@ -65,7 +69,7 @@ class Study:
         with self._reporting(), quiet():
             if self._is_grid:
                 # another process may have tried the last of them
-                self._study.enqueue_trial(next(iter(self._untried() or self._space.combinations())))
+                self._study.enqueue_trial(next(iter(self._untried() or self.space.combinations())))
             trial = self._study.ask(self._distributions)
             return Chosen(trial.number, dict(trial.params))
 
@@ -86,23 +90,25 @@ class Study:
                 worst = -math.inf if self._study.direction.name == "MAXIMIZE" else math.inf
                 self._study.tell(trial.number, value if math.isfinite(value) else worst)
 
-    def best(self) -> tuple[dict[str, Any], float] | None:
-        """Return the values of the best trial, and what its job returned; None if none is finished."""
+    def write_best(self, file: Path) -> None:
+        """Write the study's best trial into a file, if any is finished: its values, and what its job returned."""
         from optuna.trial import TrialState
 
         with self._reporting():
             if not self._study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,)):
-                return None
-            trial = self._study.best_trial
-            return dict(trial.params), float(trial.value)
+                return
+            best = self._study.best_trial
+        found = {"best_params": self.space.plain(best.params), "best_value": best.value}
+        write_whole(file, yaml.safe_dump({"name": "optuna", "study_name": self.name, **found}, sort_keys=False))
 
     def _opened(self, keys: TuningKeys) -> optuna.Study:
         import optuna
+        from optuna.study import StudyDirection
 
         return optuna.create_study(
             storage=None if self._store is None else storage_at(self._store),
             study_name=keys.study_name,
-            direction=keys.direction,
+            direction=StudyDirection[keys.direction.upper()],
             load_if_exists=True,
         )
 
@@ -120,16 +126,18 @@ class Study:
                 try:
                     check_distribution_compatibility(before, now)
                 except ValueError:
-                    raise SettingsError(f"{key}: expected values of the kind {name}, {before}; got {now}") from None
+                    raise SettingsError(
+                        f"{key}: expected values of the kind {name}, {before}; got {now}"
+                    ) from None
 
     def _untried(self) -> list[dict[str, Any]]:
-        """Return the combinations that have no finished trial, first those that have none that is running either."""
+        """Return the combinations without a finished trial, those that run or failed last."""
         latest: dict[tuple[Any, ...], float] = {}
         for trial in self._study.get_trials(deepcopy=False):
-            values = tuple(trial.params.get(key) for key in self._space.keys)
+            values = tuple(trial.params.get(key) for key in self.space.keys)
             done = math.inf if trial.state.name == "COMPLETE" else trial.number
             latest[values] = max(latest.get(values, -1), done)
-        every = ((latest.get(tuple(one.values()), -1), one) for one in self._space.combinations())
+        every = ((latest.get(tuple(one.values()), -1), one) for one in self.space.combinations())
         return [one for _, one in sorted((pair for pair in every if pair[0] < math.inf), key=lambda pair: pair[0])]
 
     @contextmanager
@@ -144,7 +152,7 @@ class Study:
                 raise
             cause = problem.__cause__ if isinstance(problem.__cause__, Exception) else problem
             raise TrackingError(
-                f"hydra.sweeper.storage: expected a database that a study can be kept in; got {self._store.shown}: "
+                f"hydra.sweeper.storage: expected a database for a study; got {self._store.shown}: "
                 f"{reason_of(cause, self._store.uri)}"
             ) from problem
 
