@@ -18,7 +18,7 @@ from acoexp.parameters import build, defaults_of, parameter
 MOST_TRIALS = 1_000_000
 """Trials that one command may add to a study, as many as a sweep may have jobs."""
 _SWEEPER = "hydra_plugins.acoexp.tuner.OptunaSweeper"
-_HIGHEST_SEED = 2**31 - 1
+_HIGHEST_SEED = 10**9
 
 
 @dataclass(frozen=True, kw_only=True)

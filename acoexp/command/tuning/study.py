@@ -15,7 +15,8 @@ from acoexp.command.tuning.opening import distribution, quiet, sampler_of, stora
 from acoexp.command.tuning.space import Numbers, Space
 from acoexp.console.whole import write_whole
 from acoexp.errors import AcoexpError, SettingsError, TrackingError, shown
-from acoexp.tracking.mlflow.failures import reason_of
+from acoexp.tracking.mlflow.failures import line_of
+from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.store import Store
 from acoexp.tracking.open import check_uri
 
@@ -153,7 +154,7 @@ class Study:
             cause = problem.__cause__ if isinstance(problem.__cause__, Exception) else problem
             raise TrackingError(
                 f"hydra.sweeper.storage: expected a database for a study; got {self._store.shown}: "
-                f"{reason_of(cause, self._store.uri)}"
+                f"{masked(line_of(cause), self._store.uri)}"
             ) from problem
 
 

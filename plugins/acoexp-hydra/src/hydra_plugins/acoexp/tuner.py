@@ -68,7 +68,7 @@ class OptunaSweeper(Sweeper):
             return self._run(study, keys, folder, wanted, first_number(folder))
 
     def _run(self, study: Study, keys: TuningKeys, folder: Path, wanted: int, number: int) -> list[JobReturn]:
-        """Run trials, some at once, until all are run or too many have failed; jobs are numbered from a number on."""
+        """Run trials, some at once, until all are run or too many failed; jobs are numbered from a number on."""
         from acoexp.command.sweep.failed import print_failed, raise_if_failed
 
         jobs: list[JobReturn] = []
