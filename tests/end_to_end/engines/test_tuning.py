@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 import yaml
-from running import environment, records, refusal, run_acoexp, trials
+from running import environment, install, records, refusal, run_acoexp, trials
 from servers import until
 
 optuna = pytest.importorskip("optuna")
@@ -22,13 +22,26 @@ pytestmark = pytest.mark.slow_without_jit
 TUNE = ("-m", "hydra/sweeper=optuna", "hydra.sweeper.n_trials=4", "hydra.sweeper.sampler.seed=1")
 SHORT = ("iterations=4", "ants=9", "tracking=none")
 RHO = "rho=interval(0.1,0.9)"
-NEVER = "S.#\n.##\n##G\n"
-"""A map whose goal no ant reaches but over two corners."""
+MOODY = '''
+from dataclasses import dataclass
+
+from acoexp.strategies.diffusion.gaussian import Gaussian
 
 
-def tune(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+@dataclass(frozen=True, kw_only=True)
+class Moody(Gaussian):
+    """A stranger's diffusion, which works at the ends of an interval and not within."""
+
+    def prepare(self, problem):
+        if 0.1 < problem.rho < 0.9:
+            raise ValueError("not today")
+        return super().prepare(problem)
+'''
+
+
+def tune(home: Path, *arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
     """Run a small study that ends well."""
-    ended = run_acoexp(*TUNE, *arguments, *SHORT, cwd=home)
+    ended = run_acoexp(*TUNE, *arguments, *SHORT, cwd=home, **options)
     assert ended.returncode == 0, ended.stderr
     return ended
 
@@ -76,7 +89,7 @@ def test_the_objective_of_a_batch_is_the_mean_over_its_seeds(tmp_path: Path) -> 
 def test_a_seed_repeats_a_study_also_with_two_jobs_at_once(joblib: object, tmp_path: Path) -> None:
     for name, engine in (("one", "basic"), ("two", "joblib")):
         (tmp_path / name).mkdir()
-        tune(tmp_path / name, RHO, f"engine={engine}", "hydra.sweeper.n_jobs=2")
+        tune(tmp_path / name, RHO, f"engine={engine}", "hydra.sweeper.n_jobs=2", env={})
     assert chosen(tmp_path / "one") == chosen(tmp_path / "two")
     assert best(tmp_path / "one")["best_params"] == best(tmp_path / "two")["best_params"]
 
@@ -91,7 +104,6 @@ def test_a_second_command_goes_on_with_the_study_on_postgresql(
     storage = fresh_database("study").replace("acoexp@", "acoexp:s3cret@")
     said = go_on(tmp_path, storage, f"hydra.sweeper.storage={storage}")
     files = [file for file in tmp_path.rglob("*") if file.is_file()]
-    assert len([file for file in files if "acoexp:" in file.read_text("utf-8", errors="replace")]) == 0
     assert [file.name for file in files if "s3cret" in file.read_text("utf-8", errors="replace")] == []
     assert "s3cret" not in said
 
@@ -155,15 +167,40 @@ def test_two_commands_at_once_share_a_study(tmp_path: Path) -> None:
 
 
 def test_where_no_ant_arrives_a_study_ends_as_any(tmp_path: Path) -> None:
-    (tmp_path / "never.txt").write_text(NEVER, encoding="utf-8")
-    tune(tmp_path, RHO, "map=file", "map.path=never.txt", "map.moves=free", "hydra.sweeper.sampler=random")
+    lost = ("algo=aco", "map=env1", "seed=4", "ants=1", "iterations=1", "tracking=none")
+    ended = run_acoexp(*TUNE, RHO, *lost, cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert "in 4 of 4 trials no ant ever reached the goal" in ended.stdout
     assert best(tmp_path)["best_value"] == float("inf")
 
 
+def test_as_many_jobs_may_fail_as_are_said_to(tmp_path: Path) -> None:
+    stranger = install(
+        tmp_path / "site", "moody", "[acoexp.diffusion]\nmoody = moody:Moody\n", {"moody/__init__.py": MOODY}
+    )
+    storage = f"sqlite:///{tmp_path}/study.db"
+    study = (RHO, "diffusion=moody", f"hydra.sweeper.storage={storage}", "hydra.sweeper.study_name=s")
+    ended = run_acoexp(*TUNE, *study, *SHORT, cwd=tmp_path, env=stranger)
+    assert ended.returncode == 1
+    *lines, last = ended.stderr.splitlines()
+    assert last == "acoexp: error: 2 of 2 jobs failed; the others are kept"
+    assert [line.partition(": diffusion")[0] for line in lines] == [
+        f"acoexp: error: rho={rho} diffusion=moody {' '.join(SHORT)}" for rho in kept(storage, "FAIL")
+    ]
+    assert all("not today" in line for line in lines)
+    ended = run_acoexp(*TUNE, *study, *SHORT, "hydra.sweeper.max_failure_rate=1", cwd=tmp_path, env=stranger)
+    assert ended.returncode == 0
+    assert len(ended.stderr.splitlines()) == 1 + 4
+    assert len(kept(storage, "FAIL")) == 6
+
+
 def test_a_grid_runs_every_combination_once(tmp_path: Path) -> None:
-    ended = tune(tmp_path, "hydra/sweeper/sampler=grid", "rho=0.1,0.5", "ants=range(2,4)")
-    assert ended.stderr == ""
-    assert sorted((t["config"]["rho"], t["config"]["ants"]) for t in trials(tmp_path)) == [("0.1", "2")]
+    grid = ("-m", "hydra/sweeper=optuna", "hydra/sweeper/sampler=grid", "rho=0.1,0.5", "ants=range(2,4)")
+    ended = run_acoexp(*grid, "iterations=4", "tracking=none", cwd=tmp_path)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert "4 of 4 trials finished" in ended.stdout
+    found = [(trial["config"]["rho"], trial["config"]["ants"]) for trial in trials(tmp_path)]
+    assert found == [("0.1", "2"), ("0.1", "3"), ("0.5", "2"), ("0.5", "3")]
 
 
 def test_a_space_that_jobs_do_not_take_is_refused_before_anything_runs(tmp_path: Path) -> None:
