@@ -1,4 +1,4 @@
-"""Tuning by ``hydra/sweeper=optuna``: whole commands, with studies in real databases that later ones go on with."""
+"""Tuning by ``hydra/sweeper=optuna``: whole commands, with studies in databases that later ones go on with."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Moody(Gaussian):
     """A stranger's diffusion, which works at the ends of an interval and not within."""
 
     def prepare(self, problem):
-        if 0.1 < problem.rho < 0.9:
+        if 0.1 < problem.settings.rho < 0.9:
             raise ValueError("not today")
         return super().prepare(problem)
 '''
