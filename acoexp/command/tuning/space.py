@@ -13,7 +13,6 @@ from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.override_parser.types import IntervalSweep, Override, RangeSweep
 
 from acoexp.command.options.arguments import MOST_VALUES
-from acoexp.command.sweep.plan import Overrides, combinations
 from acoexp.errors import SettingsError, shown
 
 _HIGHEST_WHOLE = 2**53
@@ -103,13 +102,13 @@ class Space:
     """
 
     def __init__(self, overrides: Iterable[Override]) -> None:
-        self.fixed: Overrides = []
+        self.fixed: list[str] = []
         self.keys: dict[str, Numbers | Choice] = {}
         for override in {override.get_key_element(): override for override in overrides}.values():
             key = override.get_key_element()
             values = _values(override)
             if values is None:
-                self.fixed += combinations([override])[0]
+                self.fixed.append(f"{key}={override.get_value_element_as_str()}")
             elif len(values.ends) == 1:
                 self.fixed.append(f"{key}={values.text(values.ends[0])}")
             else:
@@ -119,7 +118,7 @@ class Space:
                 "hydra/sweeper: optuna expects a key to choose values for, such as rho=interval(0.1,0.9)"
             )
 
-    def told(self, values: Mapping[str, Any]) -> Overrides:
+    def told(self, values: Mapping[str, Any]) -> list[str]:
         """Return what a job is told for whom a value of each key was chosen."""
         return [*(f"{key}={self.keys[key].text(value)}" for key, value in values.items()), *self.fixed]
 
@@ -129,7 +128,7 @@ class Space:
         chosen = {key: value for key, value in values.items() if isinstance(self.keys.get(key), Choice)}
         return {**values, **{key: parser.parse_override(f"{key}={text}").value() for key, text in chosen.items()}}
 
-    def samples(self) -> list[Overrides]:
+    def samples(self) -> list[list[str]]:
         """Return what a few jobs are told who together have each choice and both ends of each interval."""
         longest = max(len(values.ends) for values in self.keys.values())
         return [
