@@ -12,9 +12,10 @@ from typing import Any
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.override_parser.types import IntervalSweep, Override, RangeSweep
 
-from acoexp.command.options.arguments import MOST_VALUES
 from acoexp.errors import SettingsError, shown
 
+_MOST_COMBINATIONS = 100_000
+"""Combinations that a grid may have, all of which are looked at for each trial."""
 _HIGHEST_WHOLE = 2**53
 """A study keeps its numbers as floating-point ones, which are exact up to here."""
 
@@ -147,9 +148,9 @@ class Space:
             if isinstance(values, Numbers) and values.step is None:
                 raise SettingsError(f"{key}: expected values or a range with hydra/sweeper/sampler=grid")
             size *= len(values)
-        if size > MOST_VALUES:
+        if size > _MOST_COMBINATIONS:
             raise SettingsError(
-                f"hydra/sweeper/sampler: expected at most {MOST_VALUES} combinations with grid; got {shown(size)}"
+                f"hydra/sweeper/sampler: expected at most {_MOST_COMBINATIONS} combinations with grid; got {shown(size)}"
             )
 
     def combinations(self) -> Iterator[dict[str, Any]]:

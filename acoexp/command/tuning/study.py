@@ -121,15 +121,15 @@ class Study:
         direction = self._study.direction.name.lower()
         if direction != keys.direction:
             raise SettingsError(f"hydra.sweeper.direction: expected {direction}, {name}; got {keys.direction}")
-        for trial in self._study.get_trials(deepcopy=False)[-1:]:
-            for key in trial.distributions.keys() & self._distributions.keys():
-                before, now = trial.distributions[key], self._distributions[key]
-                try:
-                    check_distribution_compatibility(before, now)
-                except ValueError:
-                    raise SettingsError(
-                        f"{key}: expected values of the kind {name}, {before}; got {now}"
-                    ) from None
+        before: dict[str, Any] = {}
+        for trial in self._study.get_trials(deepcopy=False):
+            before.update(trial.distributions)
+        for key in before.keys() & self._distributions.keys():
+            now = self._distributions[key]
+            try:
+                check_distribution_compatibility(before[key], now)
+            except ValueError:
+                raise SettingsError(f"{key}: expected {shown(before[key])}, {name}; got {shown(now)}") from None
 
     def _untried(self) -> list[dict[str, Any]]:
         """Return the combinations without a finished trial, those that run or failed last."""

@@ -111,7 +111,9 @@ def test_a_study_is_not_gone_on_with_in_another_direction_or_by_another_kind_of_
     ):
         opened(*NUMBERS, storage=storage, study_name="s", direction="maximize")
     for other in ("rho=0.1,0.9", "rho=tag(log,interval(0.1,0.9))"):
-        with pytest.raises(SettingsError, match=r"^rho: expected values of the kind as study 's' was begun with"):
+        with pytest.raises(
+            SettingsError, match=r"^rho: expected FloatDistribution.*, as study 's' was begun with; got "
+        ):
             opened(other, storage=storage, study_name="s")
     run(
         opened("rho=interval(0.4,0.6)", storage=storage, study_name="s"), 1
