@@ -150,7 +150,8 @@ class Space:
             size *= len(values)
         if size > _MOST_COMBINATIONS:
             raise SettingsError(
-                f"hydra/sweeper/sampler: expected at most {_MOST_COMBINATIONS} combinations with grid; got {shown(size)}"
+                f"hydra/sweeper/sampler: expected at most {_MOST_COMBINATIONS} combinations with grid; "
+                f"got {shown(size)}"
             )
 
     def combinations(self) -> Iterator[dict[str, Any]]:
