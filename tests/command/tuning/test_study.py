@@ -179,3 +179,11 @@ def test_a_database_that_would_be_forgotten_is_refused() -> None:
         SettingsError, match=r"^hydra\.sweeper\.storage: expected the address of a database that lasts"
     ):
         opened(*NUMBERS, storage="sqlite://")
+
+
+def test_a_database_that_is_spoilt_meanwhile_is_told(tmp_path: Path) -> None:
+    study = opened(*NUMBERS, storage=f"sqlite:///{tmp_path}/study.db")
+    run(study, 1)
+    (tmp_path / "study.db").write_bytes(b"spoilt" * 5000)
+    with pytest.raises(TrackingError, match=r"^hydra\.sweeper\.storage: expected a database for a study"):
+        run(study, 1)
