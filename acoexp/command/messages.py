@@ -20,7 +20,6 @@ _EXTRAS = {
     "hydra/launcher/joblib": ("engine", "joblib"),
     "hydra/launcher/submitit_slurm": ("engine", "slurm"),
     "hydra/launcher/ray": ("engine", "ray"),
-    "hydra/sweeper/optuna": ("hydra/sweeper", "optuna"),
 }
 """What comes with an extra: its group, and the name that it and the extra have."""
 
@@ -33,14 +32,19 @@ def in_one_line(problem: Exception) -> str:
     unknown = re.match(r"Could not override '([^']+)'", text)
     if unknown:
         return _unknown_key(unknown[1], getattr(problem.__cause__, "parent_node", None))
-    lacking = re.search("Could not find '(hydra/(?:launcher|sweeper)/\\w+)'", text)
+    lacking = re.search("Could not find '(hydra/launcher/\\w+)'", text)
     if lacking and lacking[1] in _EXTRAS:
         group, name = _EXTRAS[lacking[1]]
-        return f"{group}: {name} needs `pip install acoexp[{name}]`"
-    missing = re.match(r"In '[^']+': Could not find '([^/']+)/([^']+)' Available options in '[^']+': (.*)", text)
+        return needs_extra(group, name)
+    missing = re.match(r"In '[^']+': Could not find '([^']+)/([^/']+)' Available options in '[^']+': (.*)", text)
     if missing:
         return not_found(missing[1], missing[2], missing[3].split())
     return text or type(problem).__name__
+
+
+def needs_extra(group: str, name: str) -> str:
+    """Say how to install what an option of a group needs; it has the extra's name."""
+    return f'{group}: {name} needs `pip install "acoexp[{name}]"`'
 
 
 def _unresolved(problem: InterpolationResolutionError) -> str:

@@ -81,7 +81,7 @@ class StrategyContract:
         for grid, solver in self._solvers():
             twice = gone_twice(solver, SEEDS[0])
             assert twice is None, (
-                f"on {grid.name}: an ant went to {twice} twice; expected colony.untouched[cell] to be asked first, "
+                f"on {grid.name}: an ant went to {twice} twice; expected colony.untouched[cell] to be asked, "
                 "as acoexp.colony.tabu.is_open does"
             )
 

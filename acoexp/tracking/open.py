@@ -34,13 +34,18 @@ def open_tracker(config: Mapping[str, Any]) -> Tracker:
     return MlflowTracker(check_uri(chosen.uri)) if isinstance(chosen, Mlflow) else NoTracker()
 
 
-def check_uri(uri: str) -> str:
+def check_uri(uri: str, key: str = "tracking.uri", what: str = "an MLflow store") -> str:
     """Return the address of a store that lasts.
+
+    Args:
+        uri: The address.
+        key: What it was given for.
+        what: What it is to be of.
 
     Raises:
         SettingsError: if it is none.
     """
     if uri in ("", REQUIRED) or _IN_MEMORY.search(uri):
         shown = masked(uri, uri)
-        raise SettingsError(f"tracking.uri: expected the address of an MLflow store that lasts; got {shown!r}")
+        raise SettingsError(f"{key}: expected the address of {what} that lasts; got {shown!r}")
     return uri

@@ -3,9 +3,9 @@
     python tests/benchmarks/nav.py FOLDER                 # nav beside aco, pdg and acs
     python tests/benchmarks/nav.py FOLDER --ablation      # nav with each of its parts left out or replaced, once
 
-FOLDER has maps of the MovingAI benchmarks, each with a scenario whose name begins like the map's; the way is that of
-its longest row. Prints a table in Markdown, a row a map: mean gap (and how many of the seeds arrived, where not all
-did), seconds a trial on one core.
+FOLDER has maps of the MovingAI benchmarks, each with a scenario whose name begins like the map's; the way is that
+of its longest row. Prints a table in Markdown, a row a map: mean gap (and how many of the seeds arrived, where not
+all did), seconds a trial on one core.
 """
 
 from __future__ import annotations

@@ -29,10 +29,9 @@ def test_an_error_that_says_nothing_is_called_by_its_kind() -> None:
 @pytest.mark.parametrize(
     ("option", "said"),
     [
-        ("hydra/launcher/joblib", "engine: joblib needs `pip install acoexp[joblib]`"),
-        ("hydra/launcher/submitit_slurm", "engine: slurm needs `pip install acoexp[slurm]`"),
-        ("hydra/launcher/ray", "engine: ray needs `pip install acoexp[ray]`"),
-        ("hydra/sweeper/optuna", "hydra/sweeper: optuna needs `pip install acoexp[optuna]`"),
+        ("hydra/launcher/joblib", 'engine: joblib needs `pip install "acoexp[joblib]"`'),
+        ("hydra/launcher/submitit_slurm", 'engine: slurm needs `pip install "acoexp[slurm]"`'),
+        ("hydra/launcher/ray", 'engine: ray needs `pip install "acoexp[ray]"`'),
     ],
 )
 def test_what_comes_with_an_extra_is_told_with_the_command_that_installs_it(option: str, said: str) -> None:
@@ -72,6 +71,13 @@ def test_what_hydra_does_not_know_is_told_with_what_may_have_been_meant(
     with pytest.raises((HydraException, ConfigCompositionException)) as caught:
         composed(override)
     assert in_one_line(caught.value) == said
+
+
+def test_an_option_of_a_group_within_a_group_is_told_in_the_same_way(composed: Callable[..., DictConfig]) -> None:
+    with pytest.raises(HydraException) as caught:
+        composed("hydra/sweeper=optuna", "hydra/sweeper/sampler=tp")
+    expected = "hydra/sweeper/sampler: expected one of: cmaes, grid, nsgaii, random, tpe"
+    assert in_one_line(caught.value) == f"{expected}; got 'tp'; did you mean tpe?"
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ from omegaconf.errors import GrammarParseError
 from acoexp.colony.scalars import ColonySettings
 from acoexp.command.options.keys import OPTIONS, JobKeys
 from acoexp.command.options.quoting import hydra_text, shell_word
+from acoexp.command.options.tuning import SAMPLERS, TuningKeys
 from acoexp.errors import SettingsError, StrategyError, shown
 from acoexp.grid.field import FieldSettings
 from acoexp.parameters import expected, fields_of, kind_of
@@ -34,6 +35,8 @@ _OWNERS: dict[str, tuple[type, ...]] = {
     "": (JobKeys, ColonySettings),
     "field": (FieldSettings,),
     "tracking": tuple(TRACKING.values()),
+    "hydra.sweeper": (TuningKeys,),
+    "hydra.sweeper.sampler": tuple(SAMPLERS.values()),
 }
 """What declares the keys that are of no part."""
 _LONGEST = 200

@@ -14,6 +14,7 @@ from acoexp.colony.scalars import ColonySettings
 from acoexp.command.options.help import help_text
 from acoexp.command.options.keys import JobKeys
 from acoexp.command.options.sources import UserOptions
+from acoexp.command.options.tuning import register_tuning
 from acoexp.errors import SettingsError, StrategyError
 from acoexp.grid.field import FieldSettings
 from acoexp.parameters import defaults_of
@@ -39,6 +40,7 @@ def register_options(config_dir: str | None) -> None:
     store.store(group="report", name="none", node={"name": "none"})
     for name, owner in TRACKING.items():
         store.store(group="tracking", name=name, node={"name": name, **_plain(owner)})
+    register_tuning()
     store.store(group="hydra/help", name="acoexp", node={"template": help_text()})
     folders = dict(plugin_conf_dirs())
     if config_dir is not None:

@@ -12,7 +12,7 @@ from hydra.core.global_hydra import GlobalHydra
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.errors import HydraException
 from hydra.experimental.callback import Callback
-from omegaconf import DictConfig, OmegaConf
+from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command.handover import Handover
@@ -20,13 +20,13 @@ from acoexp.command.job import Job
 from acoexp.command.messages import in_one_line
 from acoexp.command.results.watch import Watch, Watched
 from acoexp.command.sweep.plan import Plan, as_written, fix_folder
+from acoexp.command.sweep.secrets import without_secrets
 from acoexp.console.ending import FAILED, print_error
 from acoexp.console.whole import write_whole
-from acoexp.errors import AcoexpError, SettingsError
-from acoexp.tracking.mlflow.masking import masked
+from acoexp.errors import AcoexpError
 
-OWN_SWEEPER = "hydra_plugins.acoexp.sweeper.AcoexpSweeper"
-"""It checks and watches its jobs itself."""
+OWN_SWEEPERS = ("hydra_plugins.acoexp.sweeper.AcoexpSweeper", "hydra_plugins.acoexp.tuner.OptunaSweeper")
+"""They check and watch their jobs themselves."""
 
 
 class Session(Callback):
@@ -38,16 +38,15 @@ class Session(Callback):
 
     def on_multirun_start(self, config: DictConfig, **_: Any) -> None:
         """Check what is known of the jobs that another sweeper will choose, and begin to watch over them."""
-        if config.hydra.sweeper._target_ != OWN_SWEEPER:
+        if config.hydra.sweeper._target_ not in OWN_SWEEPERS:
             _or_exit(lambda: _begin_foreign_sweep(config))
 
     def on_job_start(self, config: DictConfig, **_: Any) -> None:
         """Mask the passwords of addresses in what Hydra has just written of a job's configuration."""
         if config.hydra.output_subdir is not None:
             folder = Path(config.hydra.runtime.output_dir, config.hydra.output_subdir)
-            address = str(OmegaConf.select(config, "tracking.uri", default=""))
             for file in folder.glob("*.yaml"):
-                write_whole(file, masked(file.read_text(encoding="utf-8"), address))
+                write_whole(file, without_secrets(file.read_text(encoding="utf-8"), config))
 
 
 def _or_exit(action: Callable[[], None]) -> None:
@@ -69,17 +68,7 @@ def _begin_run(config: DictConfig) -> None:
     handover.ready = job.run
 
 
-def _check_storage(storage: str | None) -> None:
-    """Refuse to keep a study of Optuna's in a database: Optuna 2 fails at that with SQLAlchemy 2."""
-    if storage is not None and not storage.startswith("redis"):
-        raise SettingsError(
-            "hydra.sweeper.storage: expected nothing, or redis://...; Optuna 2, which Hydra's sweeper needs, "
-            "cannot keep a study in a database by the SQLAlchemy that MLflow needs"
-        )
-
-
 def _begin_foreign_sweep(config: DictConfig) -> None:
-    _check_storage(config.hydra.sweeper.get("storage"))
     loader = GlobalHydra.instance().config_loader()
     texts = as_written(config.hydra.overrides.task)
     parsed = OverridesParser.create(config_loader=loader).parse_overrides(texts)

@@ -26,11 +26,17 @@ def raise_if_failed(jobs: Sequence[JobReturn]) -> None:
         JobsFailedError: if there is one.
         Exception: what a job raised, if it is none of ours: its traceback is needed.
     """
+    failed = print_failed(jobs)
+    if failed:
+        raise JobsFailedError(f"{failed} of {len(jobs)} jobs failed; the others are kept")
+
+
+def print_failed(jobs: Sequence[JobReturn]) -> int:
+    """Print a line for each job that failed, as :func:`raise_if_failed` does; return how many did."""
     failed = [job for job in jobs if job.status != JobStatus.COMPLETED]
     for job in failed:
         print_error(f"{masked(' '.join(job.overrides or ()))}: {_reason(job)}")
-    if failed:
-        raise JobsFailedError(f"{len(failed)} of {len(jobs)} jobs failed; the others are kept")
+    return len(failed)
 
 
 def _reason(job: JobReturn) -> str:

@@ -56,12 +56,19 @@ class Plan:
         config: The sweep's configuration.
         loader: Composes the configuration of a job.
         overrides: What each job is told, several values for what is swept.
+        told: What a few jobs are told, where an optimiser will choose the others; else each combination is one.
 
     Raises:
         AcoexpError, HydraException: if a job is wrong.
     """
 
-    def __init__(self, config: DictConfig, loader: ConfigLoader, overrides: Sequence[Override]) -> None:
+    def __init__(
+        self,
+        config: DictConfig,
+        loader: ConfigLoader,
+        overrides: Sequence[Override],
+        told: Iterable[Overrides] | None = None,
+    ) -> None:
         self._overrides = overrides
         self._handover = Handover()
         remember_options(loader)
@@ -73,7 +80,7 @@ class Plan:
         others = [override for override in overrides if override.key_or_group != "seed"]
         self.jobs = {
             tuple(combination): Job(_composed(loader, [*combination, *of_hydra]), self._handover)
-            for combination in combinations(others)
+            for combination in (combinations(others) if told is None else told)
         }
         self.trackers = {job.tracker.where: job.tracker for job in self.jobs.values()}
         self.where = ", ".join(self.trackers)

@@ -50,15 +50,15 @@ def may_pass(problem: Exception) -> bool:
 def reason_of(problem: Exception, address: str) -> str:
     """Return in one line what went wrong with the store at an address, and what to do where that is known."""
     known = _known(problem)
-    return masked(_said(problem), address) + (f"; {known.advice}" if known is not None else "")
+    return masked(line_of(problem), address) + (f"; {known.advice}" if known is not None else "")
 
 
 def _known(problem: Exception) -> _Known | None:
-    said = _said(problem)
+    said = line_of(problem)
     return next((known for known in _KNOWN if re.search(known.said, said, re.IGNORECASE)), None)
 
 
-def _said(problem: Exception) -> str:
+def line_of(problem: Exception) -> str:
     """Return the line that says what went wrong; SQLAlchemy puts others around it."""
     lines = (line.strip() for line in str(problem).splitlines())
     said = (line for line in lines if line and not line.startswith("(raised as a result of"))

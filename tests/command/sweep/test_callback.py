@@ -11,7 +11,7 @@ from omegaconf import DictConfig, open_dict, read_write
 from running import listing
 
 from acoexp.command.handover import Handover
-from acoexp.command.sweep.callback import OWN_SWEEPER, Session
+from acoexp.command.sweep.callback import OWN_SWEEPERS, Session
 from acoexp.tracking.tracker import NoTracker
 
 Composed = Callable[..., DictConfig]
@@ -52,9 +52,10 @@ def test_what_nobody_foresaw_ends_it_with_a_traceback(
     assert capsys.readouterr().err.rstrip().endswith("ZeroDivisionError")
 
 
-def test_a_sweep_of_our_own_is_left_to_our_sweeper(composed: Composed, handover: Handover) -> None:
-    config = composed("rho=2.0")
-    assert config.hydra.sweeper._target_ == OWN_SWEEPER
+@pytest.mark.parametrize("sweeper", ["acoexp", "optuna"])
+def test_a_sweep_of_our_own_is_left_to_our_sweeper(sweeper: str, composed: Composed, handover: Handover) -> None:
+    config = composed("rho=2.0", f"hydra/sweeper={sweeper}")
+    assert config.hydra.sweeper._target_ in OWN_SWEEPERS
     Session().on_multirun_start(config)
 
 

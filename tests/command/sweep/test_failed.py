@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hydra.core.utils import JobReturn, JobStatus
 
-from acoexp.command.sweep.failed import JobsFailedError, raise_if_failed
+from acoexp.command.sweep.failed import JobsFailedError, print_failed, raise_if_failed
 from acoexp.errors import StrategyError
 
 Capture = pytest.CaptureFixture[str]
@@ -31,6 +31,11 @@ def test_each_job_that_failed_says_what_it_was_told_and_why(capsys: Capture) -> 
         "acoexp: error: algo=pd seed=1: the part broke",
         "acoexp: error: algo=pd seed=3: it broke again",
     ]
+
+
+def test_jobs_that_may_fail_are_told_of_and_counted(capsys: Capture) -> None:
+    assert print_failed([job(0), job(1, StrategyError("the part broke"))]) == 1
+    assert capsys.readouterr().err == "acoexp: error: algo=pd seed=1: the part broke\n"
 
 
 def test_what_nobody_foresaw_is_raised_as_it_was(capsys: Capture) -> None:

@@ -22,6 +22,7 @@ def test_a_missing_extra_is_named(argument: str, name: str, tmp_path: Path) -> N
     (tmp_path / "hydra_plugins").mkdir()
     (tmp_path / "hydra_plugins" / "__init__.py").touch()  # hides those that are installed, but for our own
     (tmp_path / "hydra_plugins" / "acoexp").symlink_to(Path(sweeper.__file__).parent)
+    (tmp_path / "optuna.py").write_text("raise ImportError", encoding="utf-8")
     message = refusal(
         "-m",
         "seed=0,1",
@@ -30,4 +31,4 @@ def test_a_missing_extra_is_named(argument: str, name: str, tmp_path: Path) -> N
         cwd=tmp_path,
         env={"PYTHONPATH": str(tmp_path), "PYTHONDONTWRITEBYTECODE": "1"},
     )
-    assert message == f"{argument.partition('=')[0]}: {name} needs `pip install acoexp[{name}]`"
+    assert message == f'{argument.partition("=")[0]}: {name} needs `pip install "acoexp[{name}]"`'

@@ -66,8 +66,10 @@ def test_a_sweep_on_an_engine_finds_what_a_trial_in_this_process_finds(
 
 
 def test_a_study(tmp_path: Path) -> None:
-    pytest.importorskip("hydra_plugins.hydra_optuna_sweeper")
-    assert "240 trials finished" in run(block("optuna"), tmp_path, {})
+    pytest.importorskip("optuna")
+    assert "240 of 240 trials finished" in run(block("n_trials=12"), tmp_path, {})
+    for before in ("", "study rho goes on after 20 trials"):
+        assert before in run(f"{block('study_name=rho')} 2>&1", tmp_path, {})
 
 
 def test_a_database_then_a_server_on_it(fresh_database: Callable[[str], str], tmp_path: Path) -> None:

@@ -53,8 +53,8 @@ class AcoexpSweeper(Sweeper):
             fix_folder,
             only_sweep_in,
         )
+        from acoexp.command.sweep.secrets import without_secrets
         from acoexp.console.whole import write_whole
-        from acoexp.tracking.mlflow.masking import masked
 
         texts = [*(f"{key}={value}" for key, value in self.params.items()), *arguments]
         overrides = OverridesParser.create(config_loader=self.loader).parse_overrides(texts)
@@ -64,8 +64,7 @@ class AcoexpSweeper(Sweeper):
             if not plan.is_kept():
                 plan.prepare(folder)
             stack.enter_context(only_sweep_in(folder))
-            address = str(OmegaConf.select(self.config, "tracking.uri", default=""))
-            write_whole(folder / "multirun.yaml", masked(OmegaConf.to_yaml(self.config), address))
+            write_whole(folder / "multirun.yaml", without_secrets(OmegaConf.to_yaml(self.config), self.config))
             left = plan.leave_out_known()
             if left.repeated:
                 print(f"acoexp: {left.repeated} jobs say what others say, and are run once", file=sys.stderr)

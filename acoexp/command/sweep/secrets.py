@@ -1,0 +1,16 @@
+"""What is written of a configuration, without the passwords of the addresses in it."""
+
+from __future__ import annotations
+
+from omegaconf import DictConfig, OmegaConf
+
+from acoexp.tracking.mlflow.masking import masked
+
+_ADDRESSES = ("tracking.uri", "hydra.sweeper.storage")
+
+
+def without_secrets(text: str, config: DictConfig) -> str:
+    """Return a text that repeats a configuration, the secrets of its addresses masked wherever they stand."""
+    for key in _ADDRESSES:
+        text = masked(text, str(OmegaConf.select(config, key, default=None) or ""))
+    return text

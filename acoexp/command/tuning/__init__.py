@@ -1,0 +1,1 @@
+"""Tuning: Optuna chooses what the jobs of a sweep are told, by what earlier ones returned."""
