@@ -117,5 +117,5 @@ def test_a_source_that_fails_is_named_with_its_package_and_its_authors_line(
 ) -> None:
     install_package("wild-maps", ENTRIES, {"wild_maps.py": SOURCES})
     with pytest.raises(StrategyError, match=f"^map '{name}' of package wild-maps 1.0{said}"):
-        load_map(name, {})
+        load_map(name)
     sys.modules.pop("wild_maps", None)

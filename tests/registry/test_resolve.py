@@ -75,7 +75,7 @@ def test_scalars_out_of_range_are_refused(key: str, value: Any) -> None:
     ("values", "message"),
     [
         ({"pheromone": "nodes"}, "pheromone: expected one of: edges, cells; got 'nodes'"),
-        ({"order": "random"}, "order: expected one of: in_turn, lock_step; got 'random'"),
+        ({"order": "random"}, "order: expected one of: in_turn, lock_step, two_ended; got 'random'"),
         ({"field": {"obstacles": "all"}}, "field.obstacles: expected one of: sum, nearest; got 'all'"),
         (
             {"diffusion": {"source": "cell"}},
