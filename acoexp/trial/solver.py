@@ -11,7 +11,7 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.colony.cache import compile_once
+from acoexp.kernels.cache import compile_once
 from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Kernels, Record, Room, Trails

@@ -21,8 +21,8 @@ from filelock import FileLock
 from numba.core.caching import _Cache
 from numba.core.compiler import CompileResult
 
-from acoexp.colony.cache_folder import is_ours, usable_folder
-from acoexp.colony.digest import digest_of
+from acoexp.kernels.cache_folder import is_ours, usable_folder
+from acoexp.kernels.digest import digest_of
 
 log = logging.getLogger(__name__)
 

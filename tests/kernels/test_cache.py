@@ -16,8 +16,8 @@ from typing import Any
 import numba
 import pytest
 
-from acoexp.colony.cache import compile_once
-from acoexp.colony.cache_folder import cache_root
+from acoexp.kernels.cache import compile_once
+from acoexp.kernels.cache_folder import cache_root
 from acoexp.colony.compiled import compiled
 from acoexp.strategies.diffusion.none import stay
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from acoexp.colony.cache_folder import cache_root, is_ours, usable_folder
+from acoexp.kernels.cache_folder import cache_root, is_ours, usable_folder
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "getuid"), reason="owners of POSIX")
 
