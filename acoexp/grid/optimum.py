@@ -1,8 +1,8 @@
 """The exact optimum of a grid, and the exact distances to its goal: Dijkstra's algorithm with buckets.
 
-No move is shorter than 1, so all cells whose distance has the same whole part are final at once, and need no order
-among themselves (Denardo and Fox 1979, "Shortest-route methods: 1"). Lists do, then, where others need a heap: four
-million cells take a fifth of a second, a tenth of what scipy's Dijkstra takes, and 22 bytes each, a tenth as well.
+No move is shorter than 1, so all cells whose distance has the same whole part are final at once, and need no
+order among themselves (Denardo and Fox 1979, "Shortest-route methods: 1"). Lists do, then, where others need a
+heap: four million cells take a fifth of a second and 22 bytes each, both a tenth of what scipy's Dijkstra takes.
 """
 
 from __future__ import annotations
@@ -99,7 +99,8 @@ def _read_only(table: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def _compiled() -> Any:
     import numba
 
-    return numba.njit(nogil=True, error_model="numpy", _nrt=False, no_cfunc_wrapper=True)(_spread)
+    options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
+    return numba.njit(**options)(_spread)
 
 
 def _spread(goal: Any, allowed: Any, offsets: Any, distance: Any, reached: Any, waiting: Any, count: Any) -> None:

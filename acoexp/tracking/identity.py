@@ -17,8 +17,8 @@ from typing import Any
 import numba
 import numpy as np
 
-from acoexp.kernels.digest import digest_of_sources
 from acoexp.grid.grid import Grid
+from acoexp.kernels.digest import digest_of_sources
 from acoexp.trial.seeds import Seeds
 
 _OWN_PACKAGE = __name__.partition(".")[0]

@@ -11,13 +11,13 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.kernels.cache import compile_once
 from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Kernels, Record, Room, Trails
 from acoexp.colony.walk import ORDERS
 from acoexp.errors import FAULTS, AcoexpError, SettingsError, StrategyError
 from acoexp.grid.grid import Grid
+from acoexp.kernels.cache import compile_once
 from acoexp.trial import failures
 from acoexp.trial.failures import Failure
 from acoexp.trial.preparation import prepare

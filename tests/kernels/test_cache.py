@@ -16,9 +16,9 @@ from typing import Any
 import numba
 import pytest
 
+from acoexp.colony.compiled import compiled
 from acoexp.kernels.cache import compile_once
 from acoexp.kernels.cache_folder import cache_root
-from acoexp.colony.compiled import compiled
 from acoexp.strategies.diffusion.none import stay
 
 pytestmark = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
