@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.problem import Problem
-from acoexp.grid.moves import DIRECTIONS
 from acoexp.parameters import parameter
+from acoexp.strategies.heuristic.targets import at_targets
 from acoexp.strategies.part import Heuristic
 
 
@@ -26,11 +26,9 @@ class Geodesic(Heuristic):
     def eta(self, problem: Problem) -> NDArray[np.float64]:
         """Return eta, float64[rows, cols, 8]; 1 where no way leads to the goal."""
         distance = np.pad(problem.distance, 1, constant_values=np.inf)
-        rows, cols = problem.grid.shape
-        here = distance[1:-1, 1:-1]
-        shifted = (distance[1 + down :, 1 + right :][:rows, :cols] for down, right in DIRECTIONS)
-        there = np.stack([*shifted], axis=-1)
-        known = np.isfinite(here)[..., None] & np.isfinite(there)
-        progress = np.subtract(here[..., None], there, where=known, out=np.zeros(there.shape))
-        factor: NDArray[np.float64] = np.exp(self.strength * progress)
-        return factor
+        here, factor = distance[1:-1, 1:-1, None], at_targets(distance)
+        known = np.isfinite(here) & np.isfinite(factor)
+        np.subtract(here, factor, where=known, out=factor)
+        factor[~known] = 0.0
+        factor *= self.strength
+        return np.exp(factor, out=factor)

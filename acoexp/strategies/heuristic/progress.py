@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.problem import Problem
-from acoexp.grid.moves import DIRECTIONS
 from acoexp.parameters import parameter
+from acoexp.strategies.heuristic.targets import at_targets, goal_distance
 from acoexp.strategies.part import Heuristic
 
 
@@ -25,10 +25,8 @@ class Progress(Heuristic):
 
     def eta(self, problem: Problem) -> NDArray[np.float64]:
         """Return eta, float64[rows, cols, 8]."""
-        row, col = np.indices(problem.grid.shape)[..., None]
-        down, right = np.transpose(DIRECTIONS)
-        goal_row, goal_col = problem.grid.goal
-        here = np.hypot(row - goal_row, col - goal_col)
-        there = np.hypot(row + down - goal_row, col + right - goal_col)
-        factor: NDArray[np.float64] = np.exp(self.strength * (here - there))
-        return factor
+        distance = goal_distance(problem.grid)
+        factor = at_targets(distance)
+        np.subtract(distance[1:-1, 1:-1, None], factor, out=factor)
+        factor *= self.strength
+        return np.exp(factor, out=factor)
