@@ -48,10 +48,10 @@ class _Asked:
         rows, cols = self.problem.grid.shape
         desirability = np.zeros((rows + 2, cols + 2, 8))
         for strip, allowed in self._strips():
+            power = desirability[1:-1, 1:-1][strip]
             with np.errstate(over="ignore"):
-                power = np.power(np.where(allowed, eta[strip], 0.0), self.settings.scalars.beta)
+                np.power(eta[strip], self.settings.scalars.beta, where=allowed, out=power)
             np.minimum(power, DESIRABILITY_LIMIT, out=power)
-            np.copyto(desirability[1:-1, 1:-1][strip], power, where=allowed)
         desirability.flags.writeable = False
         return desirability.ravel()
 
