@@ -37,5 +37,5 @@ def test_every_file_that_is_named_is_there() -> None:
     assert [file for file in FILE.findall(PAGE) if not (ROOT / file).is_file()] == []
 
 
-def test_no_chain_of_imports_is_longer_than_ten_files() -> None:
-    assert int(re.search(r"longest chain of imports, (\d+) files", PAGE)[1]) <= 10  # type: ignore[index]
+def test_no_chain_of_imports_is_longer_than_eleven_files() -> None:
+    assert int(re.search(r"longest chain of imports, (\d+) files", PAGE)[1]) <= 11  # type: ignore[index]
