@@ -1,1 +1,1 @@
-"""The colony: the compiled kernels around one loop, what they carry, and how they are kept."""
+"""The colony: the compiled kernels around one loop, and what they carry."""

@@ -55,10 +55,10 @@ class Problem:
         laid_out.flags.writeable = False
         return laid_out
 
-    def allowed_edges(self) -> NDArray[np.bool_]:
-        """Return bool[rows, cols, 8]: which moves are allowed."""
-        bits = np.unpackbits(self.grid.allowed[..., None], axis=-1, bitorder="little")
-        return bits.astype(bool)
+    def allowed_edges(self, rows: slice = slice(None)) -> NDArray[np.bool_]:
+        """Return bool[rows, cols, 8]: which moves are allowed; on some rows, or on all."""
+        bits = np.unpackbits(self.grid.allowed[rows, :, None], axis=-1, bitorder="little")
+        return bits.view(np.bool_)
 
     def shared_by_target(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return float64[rows, cols, 8]: for each allowed move the mean of the values of all into its target."""

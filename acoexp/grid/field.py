@@ -6,8 +6,8 @@ y upwards. The map's outer border is not an obstacle.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,9 @@ from acoexp.parameters import parameter
 
 _ROUNDING = 1e-12
 """Forces that cancel leave this share of themselves; its direction would be made of rounding."""
+
+_STRIP = 2**15
+"""Cells whose forces are added up at a time: as many as the processor keeps at hand."""
 
 NO_DIRECTION = 8
 """Sector of a cell on which no force acts."""
@@ -60,13 +63,22 @@ def potential_field(
         goal: The cell that attracts, (row, column).
         settings: The constants.
     """
-    pull = _attraction(obstacles.shape, goal, settings.attraction)
-    push, gross = _repulsion(obstacles, settings)
-    force = pull + push
-    gross += np.hypot(pull[..., 0], pull[..., 1])
-    cancels = np.hypot(force[..., 0], force[..., 1]) <= _ROUNDING * gross
-    force[cancels | obstacles] = 0.0
-    return PotentialField(force, sectors(force))
+    rows, cols = obstacles.shape
+    margin = min(int(settings.reach), max(rows, cols))
+    around, pushes = np.pad(obstacles, margin), _pushes(settings, margin)
+    field = PotentialField(np.empty((rows, cols, 2)), np.empty((rows, cols), dtype=np.uint8))
+    height = max(1, _STRIP // cols)
+    for top in range(0, rows, height):
+        strip = slice(top, min(top + height, rows))
+        push, gross = _repulsion(around[top : strip.stop + 2 * margin], margin, pushes, settings)
+        pull = _attraction(strip, cols, goal, settings.attraction)
+        force = field.force[strip]
+        force[..., 0], force[..., 1] = pull[0] + push[0], pull[1] + push[1]
+        gross += np.hypot(*pull)
+        cancels = np.hypot(force[..., 0], force[..., 1]) <= _ROUNDING * gross
+        force[cancels | obstacles[strip]] = 0.0
+        field.sector[strip] = sectors(force)
+    return field
 
 
 def sectors(force: NDArray[np.float64]) -> NDArray[np.uint8]:
@@ -80,52 +92,72 @@ def sectors(force: NDArray[np.float64]) -> NDArray[np.uint8]:
     return np.where((force == 0.0).all(axis=-1), NO_DIRECTION, sector).astype(np.uint8)
 
 
-def _attraction(shape: tuple[int, ...], goal: tuple[int, int], gain: float) -> NDArray[np.float64]:
-    """Return the pull of the goal, -grad U_att of Eq. 2: proportional to the distance."""
-    row, col = np.indices(shape)
-    return gain * np.stack([goal[1] - col, row - goal[0]], axis=-1).astype(np.float64)
+def _attraction(
+    rows: slice, cols: int, goal: tuple[int, int], gain: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the pull of the goal on some rows, -grad U_att of Eq. 2: proportional to the distance.
+
+    As its two parts, (x, y): float[1, cols] and float[rows, 1], as x is the same in all rows.
+    """
+    row, col = np.ogrid[rows, :cols]
+    return gain * (goal[1] - col).astype(np.float64), gain * (row - goal[0]).astype(np.float64)
+
+
+class _Push(NamedTuple):
+    """What an obstacle does to the cell from which a way (down, right) leads to it."""
+
+    down: int
+    right: int
+    strength: float
+    x: float
+    y: float
+
+
+def _pushes(settings: FieldSettings, margin: int) -> list[_Push]:
+    """Return the push along each way in reach, -grad U_rep of Eq. 3 (its cases in the right order).
+
+    Row by row, or the nearest first where only they count; floats are added up in this order.
+    """
+    pushes = []
+    for down in range(-margin, margin + 1):
+        for right in range(-margin, margin + 1):
+            distance = float(np.hypot(down, right))
+            if 0.0 < distance <= settings.reach:
+                strength = settings.repulsion * (1.0 / distance - 1.0 / settings.reach) / distance**2
+                parts = (strength * part / distance for part in (-right, down))
+                pushes.append(_Push(down, right, strength, *parts))
+    if settings.obstacles == "nearest":
+        pushes.sort(key=lambda push: push.down**2 + push.right**2)
+    return pushes
 
 
 def _repulsion(
-    obstacles: NDArray[np.bool_], settings: FieldSettings
+    around: NDArray[np.bool_], margin: int, pushes: list[_Push], settings: FieldSettings
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the push of the obstacle cells in reach, -grad U_rep of Eq. 3 (its cases in the right order).
+    """Return the push of the obstacle cells in reach of a strip, float[2, rows, cols] as (x, y).
 
     And what the pushes' strengths add up to, whatever their directions. Of all in reach it is the sum; of the
     nearest, where several are equally near, the mean.
+
+    Args:
+        around: bool[rows + 2 margin, cols + 2 margin], the strip's obstacles, and those around it.
+        margin: How far it reaches beyond the strip on each side.
+        pushes: What to add up, in this order.
+        settings: The constants.
     """
-    force, gross = np.zeros((*obstacles.shape, 2)), np.zeros(obstacles.shape)
-    nearest_only = settings.obstacles == "nearest"
-    nearest = _nearest(obstacles, settings.reach) if nearest_only else np.empty(0)
-    count = np.zeros(obstacles.shape)
-    for down, right, hits in _in_reach(obstacles, settings.reach):
-        if nearest_only:
-            hits = hits & (nearest == down**2 + right**2)
-        distance = float(np.hypot(down, right))
-        strength = settings.repulsion * (1.0 / distance - 1.0 / settings.reach) / distance**2
-        force[hits] += strength * np.array([-right, down]) / distance
-        gross[hits] += strength
-        count[hits] += 1.0
-    if nearest_only:
-        share = 1.0 / np.maximum(count, 1.0)
-        return force * share[..., None], gross * share
-    return force, gross
-
-
-def _nearest(obstacles: NDArray[np.bool_], reach: float) -> NDArray[np.float64]:
-    """Return the squared distance from each cell to the nearest obstacle in reach, inf where there is none."""
-    nearest = np.full(obstacles.shape, np.inf)
-    for down, right, hits in _in_reach(obstacles, reach):
-        nearest[hits] = np.minimum(nearest[hits], down**2 + right**2)
-    return nearest
-
-
-def _in_reach(obstacles: NDArray[np.bool_], reach: float) -> Iterator[tuple[int, int, NDArray[np.bool_]]]:
-    """Yield, for each way (down, right) to a cell in reach, the cells from which it leads to an obstacle."""
-    rows, cols = obstacles.shape
-    margin = min(int(reach), max(rows, cols))
-    around = np.pad(obstacles, margin)
-    for down in range(-margin, margin + 1):
-        for right in range(-margin, margin + 1):
-            if 0.0 < np.hypot(down, right) <= reach:
-                yield down, right, around[margin + down :, margin + right :][:rows, :cols]
+    rows, cols = (size - 2 * margin for size in around.shape)
+    nearest = np.full((rows, cols), np.inf) if settings.obstacles == "nearest" else None
+    total, part = np.zeros((3 if nearest is None else 4, rows, cols)), np.empty((rows, cols))
+    there = around.astype(np.float64)
+    for push in pushes:
+        hits = there[margin + push.down :, margin + push.right :][:rows, :cols]
+        if nearest is not None:
+            squared = push.down**2 + push.right**2
+            hits = hits * (nearest >= squared)
+            nearest[hits > 0.0] = squared
+        for sum_, value in zip(total, (push.x, push.y, push.strength, 1.0), strict=False):
+            if value != 0.0:
+                sum_ += np.multiply(hits, value, out=part)
+    if nearest is not None:
+        total[:3] *= 1.0 / np.maximum(total[3], 1.0)
+    return total[:2], total[2]

@@ -1,6 +1,6 @@
 """Identity: what a result depends on, as digests. Two trials of one identity find the same, bit for bit.
 
-That is the resolved settings, the map, the seed, and the code that takes part: acoexp's own in four whole folders,
+That is the resolved settings, the map, the seed, and the code that takes part: acoexp's own in five whole folders,
 and the whole top-level package of each other part. Processors are not in it, so a trial that another machine ran
 is the same trial.
 """
@@ -17,13 +17,13 @@ from typing import Any
 import numba
 import numpy as np
 
-from acoexp.colony.digest import digest_of_sources
 from acoexp.grid.grid import Grid
+from acoexp.kernels.digest import digest_of_sources
 from acoexp.trial.seeds import Seeds
 
 _OWN_PACKAGE = __name__.partition(".")[0]
 
-TAKES_PART = ("colony", "grid", "strategies", "trial")
+TAKES_PART = ("colony", "grid", "kernels", "strategies", "trial")
 """The folders of acoexp that a result depends on."""
 
 

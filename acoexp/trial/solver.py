@@ -11,12 +11,13 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.colony.cache import compile_once
 from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Kernels, Record, Room, Trails
 from acoexp.errors import AcoexpError, SettingsError, StrategyError, shown
 from acoexp.grid.grid import Grid
+from acoexp.kernels.cache import compile_once
+from acoexp.kernels.digest import digest_of
 from acoexp.trial import failures
 from acoexp.trial.failures import Failure
 from acoexp.trial.preparation import prepare
@@ -235,7 +236,8 @@ class Solver:
     def _compile(self) -> None:
         room = self._new_workspace().room
         try:
-            compile_once(self._loop, (*self._walks, *self._kernels), (room, new_record(1), np.uint64(0)))
+            digest = digest_of((*self._walks, *self._kernels))
+            compile_once(self._loop, digest, (room, new_record(1), np.uint64(0)))
         except AcoexpError:
             raise
         except Exception as problem:

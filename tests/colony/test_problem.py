@@ -19,6 +19,15 @@ def test_shared_by_target_all_edges_into_a_cell_have_the_mean_of_their_values(mo
         assert shared[(*cell, d)] == pytest.approx(np.mean(into))
 
 
+def test_the_allowed_moves_of_some_rows_are_those_of_the_map() -> None:
+    grid = random_grid(4, 7, 9, "no_cut", density=0.3)
+    allowed = problem_on(grid).allowed_edges()
+    assert {(cell, d) for cell, ways in moves_of(grid).items() for d in ways} == {
+        ((row, col), d) for row, col, d in np.argwhere(allowed).tolist()
+    }
+    assert np.array_equal(problem_on(grid).allowed_edges(slice(2, 5)), allowed[2:5])
+
+
 def test_kernels_find_a_cell_and_its_edges_under_its_number() -> None:
     problem = problem_on(random_grid(4, 7, 9, "free"))
     per_cell, per_edge = np.arange(7 * 9).reshape(7, 9), np.arange(7 * 9 * 8).reshape(7, 9, 8)

@@ -13,7 +13,7 @@ import pytest
 
 pytestmark = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
 
-COMPILES = "acoexp.colony.cache: compiling the colony"
+COMPILES = "acoexp.kernels.cache: compiling the colony"
 SOLVE = """
 import logging
 logging.basicConfig(level=logging.INFO, format="%(name)s: %(message)s")

@@ -116,6 +116,22 @@ def test_the_force_is_that_of_plain_loops(
         assert force[cell] == pytest.approx(expected, rel=1e-9, abs=1e-9)
 
 
+@pytest.mark.parametrize("obstacles", ["sum", "nearest"])
+def test_it_does_not_matter_in_which_strips_a_map_is_worked_through(
+    obstacles: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Bit for bit; the reach is beyond a strip, and beyond the map."""
+    walls = np.random.default_rng(3).random((23, 17)) < 0.3
+    for reach in (4.0, 30.0):
+        constants = FieldSettings(reach=reach, obstacles=obstacles)
+        whole = potential_field(walls, (20, 3), constants)
+        for cells in (1, 40, 23 * 17):
+            monkeypatch.setattr("acoexp.grid.field._STRIP", cells)
+            found = potential_field(walls, (20, 3), constants)
+            assert np.array_equal(found.force, whole.force)
+            assert np.array_equal(found.sector, whole.sector)
+
+
 @given(st.integers(-7200, 7200).filter(lambda tenths: tenths % 450 != 225), st.floats(1e-6, 1e6))
 def test_a_sector_reaches_half_a_sector_to_both_sides_of_its_direction(tenths: int, strength: float) -> None:
     """Sector j holds (j - 1) pi/4 +- pi/8, j from 1: here from 0, whatever range the angle comes in."""

@@ -8,11 +8,14 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from numpy.typing import NDArray
 from reference import Pair, moves_of
-from samples import grids
+from samples import grids, random_grid
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import dijkstra
 
 from acoexp import Grid
-from acoexp.grid import MOVE_RULES
+from acoexp.grid import DIRECTIONS, MOVE_RULES, SQRT2, optimum
 from acoexp.maps.builtin import Env1, Env2, Fig13
 
 
@@ -44,6 +47,18 @@ def exact_optimum(grid: Grid) -> Pair:
     raise AssertionError("a grid has a way from start to goal")
 
 
+def by_scipy(grid: Grid) -> NDArray[np.float64]:
+    """Return each cell's distance to the goal, as scipy's Dijkstra finds it on a graph of all allowed moves."""
+    row, col, direction = np.nonzero(np.unpackbits(grid.allowed[..., None], axis=-1, bitorder="little"))
+    steps = np.array(DIRECTIONS)[direction]
+    ends = (
+        np.ravel_multi_index(cells, grid.shape) for cells in ((row, col), (row + steps[:, 0], col + steps[:, 1]))
+    )
+    graph = csr_array((np.where(direction % 2, SQRT2, 1.0), tuple(ends)), shape=(grid.allowed.size,) * 2)
+    found: NDArray[np.float64] = dijkstra(graph, indices=np.ravel_multi_index(grid.goal, grid.shape))
+    return found.reshape(grid.shape)
+
+
 def test_exact_lengths_compare_where_floats_are_close() -> None:
     assert Length(1607521, 0) < Length(0, 1136689)
     assert Length(0, 470832) < Length(665857, 0)
@@ -64,6 +79,52 @@ def test_the_shortest_path_is_a_path_as_long_as_the_optimum(grid: Grid) -> None:
     assert (path[0], path[-1]) == (grid.start, grid.goal)
     assert all(after in moves[before].values() for before, after in pairwise(path))
     assert grid.measure(grid.shortest_path) == grid.optimum_pair
+
+
+@pytest.fixture(params=["in plain Python", "compiled"])
+def size(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Maps of any size are taken for small ones, then for large ones."""
+    monkeypatch.setattr(optimum, "COMPILED_FROM", 0 if request.param == "compiled" else 2**62)
+
+
+@pytest.mark.usefixtures("size")
+@pytest.mark.parametrize("rule", MOVE_RULES)
+@pytest.mark.parametrize("density", [0.0, 0.1, 0.3, 0.5])
+def test_distances_are_bit_for_bit_those_of_another_solver(rule: str, density: float) -> None:
+    """A float is the same sum in any order of search: the least over all neighbours of theirs plus the move."""
+    for seed in range(12):
+        rows, cols = np.random.default_rng(seed).integers(2, 60, 2).tolist()
+        grid = random_grid(seed, rows, cols, rule, density=density)
+        assert np.array_equal(optimum.distances(grid.allowed, grid.goal), by_scipy(grid))
+
+
+@pytest.mark.usefixtures("size")
+@pytest.mark.parametrize("rule", MOVE_RULES)
+def test_a_shortest_path_is_as_long_as_the_distance_of_its_start(rule: str) -> None:
+    for seed in range(12):
+        grid = random_grid(seed, 40, 23, rule, density=0.3)
+        path = optimum.shortest_path(grid.allowed, grid.start, grid.goal)
+        assert path is not None
+        straight, diagonal = grid.measure(path)
+        assert by_scipy(grid)[grid.start] == pytest.approx(straight + diagonal * SQRT2, rel=1e-14)
+
+
+@pytest.mark.usefixtures("size")
+def test_where_no_way_leads_there_is_no_path_and_no_distance() -> None:
+    """The map has two rooms; in either the search ends at the wall, and at the map's own border."""
+    allowed = Grid([[0, 0, 0, 0], [0, 0, 0, 0]], goal=(1, 1)).allowed & np.array(
+        [255, 0b01111100, 0b11000111, 255]
+    )
+    far = optimum.distances(allowed.astype(np.uint8), (1, 1))
+    assert np.isinf(far).tolist() == [[False, False, True, True]] * 2
+    assert optimum.shortest_path(allowed.astype(np.uint8), (0, 3), (1, 1)) is None
+
+
+@pytest.mark.usefixtures("size")
+def test_a_maze_of_one_long_corridor_is_walked_to_its_end() -> None:
+    obstacles = np.zeros((41, 41), dtype=bool)
+    obstacles[1::4, :-1] = obstacles[3::4, 1:] = True
+    assert Grid(obstacles, moves="no_cut").optimum_pair == (21 * 40 + 40, 0)
 
 
 @pytest.mark.parametrize(

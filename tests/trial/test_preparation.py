@@ -13,6 +13,7 @@ from acoexp.colony.problem import Problem
 from acoexp.colony.state import Prepared
 from acoexp.errors import SettingsError, StrategyError
 from acoexp.registry.resolve import resolve
+from acoexp.trial import preparation
 from acoexp.trial.preparation import DESIRABILITY_LIMIT, prepare
 from acoexp.trial.settings import Chosen
 
@@ -91,6 +92,16 @@ def test_what_eta_says_of_moves_that_are_not_allowed_does_not_matter() -> None:
     allowed = problem_on(GRID).allowed_edges()
     eta = np.where(allowed, 3.0, np.where(np.arange(8) % 2, np.nan, -1.0))
     assert np.array_equal(per_move(prepared(heuristic=Answering(eta=eta)).desirability), np.where(allowed, 9.0, 0))
+
+
+@pytest.mark.parametrize("strip", [1, 7])
+def test_it_does_not_matter_how_many_rows_are_looked_at_at_a_time(
+    strip: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    eta = np.arange(48.0).reshape(2, 3, 8)
+    whole = prepared(heuristic=Answering(eta=eta)).desirability
+    monkeypatch.setattr(preparation, "_STRIP", strip)
+    assert np.array_equal(prepared(heuristic=Answering(eta=eta)).desirability, whole)
 
 
 def test_desirability_is_cut_off_where_sums_of_weights_might_overflow() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.grid.moves import DIRECTIONS
+from acoexp.strategies.heuristic.targets import at_targets
 
 
 def descent(distance: NDArray[np.float64], strength: float) -> NDArray[np.float64]:
@@ -17,12 +17,9 @@ def descent(distance: NDArray[np.float64], strength: float) -> NDArray[np.float6
 
     It is 1 where the distance of either cell is not known, and where a move leads out of the map.
     """
-    rows, cols = distance.shape
-    around = np.pad(distance, 1, constant_values=np.inf)
-    eta = np.ones((rows, cols, len(DIRECTIONS)))
-    for direction, (down, right) in enumerate(DIRECTIONS):
-        target = around[1 + down :, 1 + right :][:rows, :cols]
-        known = np.isfinite(distance) & np.isfinite(target)
-        progress = np.subtract(distance, target, where=known, out=np.zeros((rows, cols)))
-        np.exp(strength * progress, out=eta[..., direction])
-    return eta
+    here, factor = distance[..., None], at_targets(np.pad(distance, 1, constant_values=np.inf))
+    known = np.isfinite(here) & np.isfinite(factor)
+    np.subtract(here, factor, where=known, out=factor)
+    factor[~known] = 0.0
+    factor *= strength
+    return np.exp(factor, out=factor)

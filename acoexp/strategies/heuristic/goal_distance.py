@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.problem import Problem
-from acoexp.grid.moves import DIRECTIONS
 from acoexp.parameters import parameter
+from acoexp.strategies.heuristic.targets import at_targets, goal_distance
 from acoexp.strategies.part import Heuristic
 
 
@@ -21,8 +21,5 @@ class GoalDistance(Heuristic):
 
     def eta(self, problem: Problem) -> NDArray[np.float64]:
         """Return eta, float64[rows, cols, 8]."""
-        row, col = np.indices(problem.grid.shape)[..., None]
-        down, right = np.transpose(DIRECTIONS)
-        goal_row, goal_col = problem.grid.goal
-        distance = np.hypot(row + down - goal_row, col + right - goal_col)
-        return np.where(distance == 0.0, self.at_goal, 1.0 / np.maximum(distance, 1.0))
+        distance = goal_distance(problem.grid)
+        return at_targets(np.where(distance == 0.0, self.at_goal, 1.0 / np.maximum(distance, 1.0)))

@@ -31,6 +31,9 @@ class ForceGuided(GoalDistance):
         ahead = np.stack([right, -down]) / np.hypot(down, right)
         force = problem.field.force
         strength = np.hypot(force[..., 0], force[..., 1])[..., None]
-        cosine = force @ ahead / np.where(strength == 0.0, 1.0, strength)
-        factor: NDArray[np.float64] = np.exp(self.guidance * cosine)
-        return super().eta(problem) * factor
+        factor: NDArray[np.float64] = force @ ahead  # its cosine once it is divided by the strength
+        factor /= np.where(strength == 0.0, 1.0, strength)
+        factor *= self.guidance
+        np.exp(factor, out=factor)
+        factor *= super().eta(problem)
+        return factor

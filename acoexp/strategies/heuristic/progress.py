@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from acoexp.colony.problem import Problem
 from acoexp.parameters import parameter
 from acoexp.strategies.heuristic.descent import descent
+from acoexp.strategies.heuristic.targets import goal_distance
 from acoexp.strategies.part import Heuristic
 
 
@@ -25,6 +26,4 @@ class Progress(Heuristic):
 
     def eta(self, problem: Problem) -> NDArray[np.float64]:
         """Return eta, float64[rows, cols, 8]."""
-        row, col = np.indices(problem.grid.shape)
-        goal_row, goal_col = problem.grid.goal
-        return descent(np.hypot(row - goal_row, col - goal_col), self.strength)
+        return descent(goal_distance(problem.grid)[1:-1, 1:-1], self.strength)

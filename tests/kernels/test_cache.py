@@ -16,9 +16,9 @@ from typing import Any
 import numba
 import pytest
 
-from acoexp.colony.cache import compile_once
-from acoexp.colony.cache_folder import cache_root
 from acoexp.colony.compiled import compiled
+from acoexp.kernels.cache import cache_root, compile_once, is_ours, usable_folder
+from acoexp.kernels.digest import digest_of
 from acoexp.strategies.diffusion.none import stay
 
 pytestmark = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
@@ -46,7 +46,7 @@ def new_loop() -> Any:
 
 def loaded(loop: Any) -> bool:
     """Compile a loop, or load it; tell which."""
-    compile_once(loop, (stay, None), (2.0,))
+    compile_once(loop, digest_of((stay, None)), (2.0,))
     assert loop(2.0) == 3.0
     return bool(sum(loop.stats.cache_hits.values()))
 
@@ -101,7 +101,7 @@ def test_where_a_file_cannot_be_written_the_compiled_code_still_runs(
 def test_each_signature_has_a_file_of_its_own(root: Path) -> None:
     for number in (1.0, 1):
         for _ in range(2):
-            compile_once(new_loop(), (), (number,))
+            compile_once(new_loop(), digest_of(()), (number,))
     assert len(kept_files(root)) == 2
 
 
@@ -121,3 +121,67 @@ def test_what_is_asked_for_stays(root: Path) -> None:
     os.utime(folder, (time.time() - 61 * DAY,) * 2)
     assert loaded(new_loop())
     assert time.time() - folder.stat().st_mtime < DAY
+
+
+# --- its folder
+
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "getuid"), reason="owners of POSIX")
+
+
+def test_it_is_made_for_this_user_alone(root: Path) -> None:
+    folder = usable_folder("abc")
+    assert folder == root / "abc"
+    assert folder.stat().st_mode & 0o077 == 0
+
+
+@pytest.mark.parametrize("mode", [0o777, 0o770, 0o702])
+@pytest.mark.parametrize("where", ["acoexp", "acoexp/kernels", "acoexp/kernels/abc"])
+def test_one_that_others_can_write_to_is_not_used(
+    where: str, mode: int, root: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    usable_folder("abc")
+    (tmp_path / where).chmod(mode)
+    assert usable_folder("abc") is None
+    assert "can be written by another user" in caplog.text
+
+
+def test_one_that_lies_in_what_others_can_exchange_is_not_used(root: Path, tmp_path: Path) -> None:
+    tmp_path.chmod(0o777)
+    assert usable_folder("abc") is None
+    tmp_path.chmod(0o1777)
+    assert usable_folder("abc") is not None
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="only root gives files away")
+def test_one_of_another_user_is_not_used(root: Path) -> None:
+    folder = usable_folder("abc")
+    assert folder is not None
+    os.chown(folder, 12345, 12345)
+    assert usable_folder("abc") is None
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="only root gives files away")
+def test_a_file_of_another_user_is_not_ours(tmp_path: Path) -> None:
+    file = tmp_path / "kernel"
+    file.touch(mode=0o600)
+    assert is_ours(file)
+    os.chown(file, 12345, 12345)
+    assert not is_ours(file)
+
+
+def test_a_user_without_a_home_has_none(monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
+    def no_home(_: str) -> str:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr("platformdirs.user_cache_dir", no_home)
+    assert usable_folder("abc") is None
+    assert "every process compiles for itself: Could not determine home" in caplog.text
+
+
+def test_a_lock_that_cannot_be_written_leaves_none(root: Path) -> None:
+    folder = usable_folder("abc")
+    assert folder is not None
+    (folder / "lock").unlink()
+    (folder / "lock").mkdir()
+    assert usable_folder("abc") is None

@@ -10,7 +10,7 @@ import numba
 import pytest
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.digest import digest_of, digest_of_sources
+from acoexp.kernels.digest import digest_of, digest_of_sources
 from acoexp.strategies.diffusion.none import stay
 
 
