@@ -54,7 +54,7 @@ class MovingAI(MapSource):
         """Read the files and return the grid; what the scenario publishes is in its metadata."""
         path, text = read_text(self.path, "map.path")
         name = printable(path.name)
-        obstacles = _obstacles(text, name, self.swamp)
+        obstacles = parse_obstacles(text, name, self.swamp)
         if self.scenario is None:
             if self.start is None or self.goal is None:
                 raise MapError(f"map {name}: expected map.start and map.goal as [row, column], or map.scenario")
@@ -113,8 +113,17 @@ def parse_instance(text: str, instance: int, name: str) -> Instance:
         ) from problem
 
 
-def _obstacles(text: str, name: str, swamp: str) -> NDArray[np.bool_]:
-    """Return bool[rows, cols], True where a map cannot be entered."""
+def parse_obstacles(text: str, name: str, swamp: str) -> NDArray[np.bool_]:
+    """Return which cells of a map cannot be entered, bool[rows, cols].
+
+    Args:
+        text: The map's file.
+        name: What the map is called in messages.
+        swamp: Whether swamp can be crossed: ``free`` or ``blocked``.
+
+    Raises:
+        MapError: if it is no map of the benchmarks, or too large.
+    """
     lines = [line.rstrip("\r") for line in text.rstrip().split("\n")]
     height, width, rows = _size(lines, name)
     expected = f"map {name}: expected {height} rows of {width} cells, as its head says; got "

@@ -3,9 +3,9 @@
     python tests/benchmarks/nav.py FOLDER                 # nav beside aco, pdg and acs
     python tests/benchmarks/nav.py FOLDER --ablation      # nav with each of its parts left out or replaced, once
 
-FOLDER has maps of the MovingAI benchmarks, each with a scenario whose name begins like the map's; the way is that
-of its longest row. Prints a table in Markdown, a row a map: mean gap (and how many of the seeds arrived, where not
-all did), seconds a trial on one core.
+FOLDER has maps of the MovingAI benchmarks, each with a scenario whose name begins like the map's: the way is that
+of its longest row. Or maps of ROS: the way is the longest that two searches, one from the end of the other, find.
+Prints a table in Markdown, a row a map: mean gap (and how many of the seeds arrived, where not all did), seconds.
 """
 
 from __future__ import annotations
@@ -19,6 +19,10 @@ from typing import Any
 import numpy as np
 
 import acoexp
+from acoexp.grid.moves import allowed_moves
+from acoexp.grid.optimum import distances
+from acoexp.maps.map_server import occupancy, parse_description
+from acoexp.maps.pixels import read_pixels
 from acoexp.registry.resolve import resolve
 from acoexp.trial.solver import Solver
 
@@ -46,6 +50,20 @@ def far_pair(file: Path) -> acoexp.Grid:
     return acoexp.load_map("movingai", path=str(file), scenario=str(scenario), instance=farthest)
 
 
+def far_pair_of_robots(file: Path) -> acoexp.Grid:
+    """Return a map of ROS between cells that lie as far apart as two searches find."""
+    description = parse_description(file.read_text(encoding="utf-8"), file.name)
+    found = occupancy(read_pixels(file.parent / description.image, "image"), description)
+    allowed = allowed_moves(found != 0, "no_cut")
+    here = tuple(map(int, np.argwhere(allowed)[0]))
+    ends = []
+    for _ in range(3):  # the first is anywhere
+        distance = distances(allowed, here)
+        here = np.unravel_index(int(np.where(np.isfinite(distance), distance, -1.0).argmax()), distance.shape)
+        ends.append([int(index) for index in here])
+    return acoexp.load_map("ros", path=str(file), start=ends[-2], goal=ends[-1], unit="cell")
+
+
 def cell(solver: Solver, seeds: Iterable[int]) -> str:
     """Return what a row of the table says of one configuration."""
     gaps, began = [], time.perf_counter()
@@ -70,8 +88,8 @@ def main() -> None:
     chosen = ABLATION if arguments.ablation else PRESETS
     headings = "".join(f" {name} | s |" for name in chosen)
     print(f"| map | optimum |{headings}\n|---|---|{'---|---|' * len(chosen)}")
-    for file in sorted(arguments.folder.glob("*.map")):
-        grid = far_pair(file)
+    for file in sorted([*arguments.folder.glob("*.map"), *arguments.folder.glob("*.yaml")]):
+        grid = far_pair(file) if file.suffix == ".map" else far_pair_of_robots(file)
         rows, cols = grid.shape
         texts = [
             cell(Solver(grid, resolve("nav" if arguments.ablation else name, settings)), range(arguments.seeds))

@@ -63,7 +63,11 @@ def _warn_of_lost(console: Console, rows: Sequence[Row]) -> None:
         console.print(f"in {never} of {trials} trials no ant ever reached the goal: all were lost on the way")
     for row in rows:
         if not math.isnan(row.lost_after):
-            advice = "" if row.config.get("dead_end") == "step_back" else "; algo=nav steps back from dead ends"
+            advice = "; algo=nav steps back from dead ends"
+            if row.config.get("dead_end") == "step_back":
+                advice = (
+                    "; max_steps=null lets them go on" if row.config.get("max_steps", "None") != "None" else ""
+                )
             console.print(f"{row.algo} on {row.map}: {why_lost(row.lost_after, row.optimum)}{advice}")
 
 

@@ -94,13 +94,18 @@ def test_a_sweep_without_a_finished_trial_has_no_table(tmp_path: Path, capsys: A
 
 
 @pytest.mark.parametrize(
-    ("dead_end", "advice"), [("lost", "; algo=nav steps back from dead ends"), ("step_back", "")]
+    ("settings", "advice"),
+    [
+        ({"dead_end": "lost"}, "; algo=nav steps back from dead ends"),
+        ({"dead_end": "step_back", "max_steps": "None"}, ""),
+        ({"dead_end": "step_back", "max_steps": "9"}, "; max_steps=null lets them go on"),
+    ],
 )
 def test_where_no_ant_ever_arrived_it_says_why_and_what_helps(
-    dead_end: str, advice: str, tmp_path: Path, capsys: Any
+    settings: dict[str, str], advice: str, tmp_path: Path, capsys: Any
 ) -> None:
-    lost = {"x1": 0, "x2": 0, "x3": 0, "l1": None, "l2": None, "l1_pair": None, **config(dead_end=dead_end)}
-    trials = [trial(0, **config(dead_end=dead_end)), *(trial(s, **lost, lost_after=s) for s in (200, 230))]
+    lost = {"x1": 0, "x2": 0, "x3": 0, "l1": None, "l2": None, "l1_pair": None, **config(**settings)}
+    trials = [trial(0, **config(**settings)), *(trial(s, **lost, lost_after=s) for s in (200, 230))]
     lines = [" ".join(line) for line in table_of(tmp_path, trials, capsys)]
     assert lines[-5] == "in 2 of 3 trials no ant ever reached the goal: all were lost on the way"
     assert lines[-4] == (
