@@ -86,7 +86,7 @@ def _csv_lines(places: Places) -> Iterator[str]:
 
 
 def _yaml_lines(places: Places) -> Iterator[str]:
-    """Yield the fields of ``nav_msgs/Path``; PyYAML, which takes seconds for a long one, writes the numbers only."""
+    """Yield the fields of ``nav_msgs/Path``. PyYAML, which takes seconds, writes its numbers alone."""
     as_number = SafeRepresenter().represent_float  # 1e-17 would be a text, 1.0e-17 is a number
     yield _HEADER
     yield "poses:"

@@ -19,7 +19,6 @@ from acoexp.report.labels import any_signs, as_it_is
 from acoexp.report.palette import BLUE, GREEN, ORANGE
 from acoexp.trial.result import Result
 
-
 _SMALL = 64
 """Rows and columns up to which a map is drawn as a whole, and cell by cell."""
 
@@ -41,7 +40,7 @@ def draw_map(result: Result, file: Path) -> None:
     is_small, metre = max(grid.shape) <= _SMALL, grid.frame is not None
     side, unit = (1.0, "") if grid.frame is None else (grid.frame.resolution, " m")
     if raw is not None:
-        look = {"linewidth": 1.5, "linestyle": "--"} if is_small else {"linewidth": 0.8}
+        look = {"linewidth": 1.5, "linestyle": "--"} if is_small else {"linewidth": 0.6, "alpha": 0.5}
         axes.plot(*_placed(grid, raw).T, color=ORANGE, label="as walked", **look)
     if path is not None:
         label = f"path, {side * result.length:.4f}{unit}"
@@ -49,11 +48,8 @@ def draw_map(result: Result, file: Path) -> None:
     for name, cell, marker, size in (("start", grid.start, "o", 6), ("goal", grid.goal, "*", 12)):
         axes.plot(*_placed(grid, [cell]).T, marker, color=GREEN, markersize=size, clip_on=False, label=name)
     of = as_it_is(f"{result.algo} on {grid.name}")
-    axes.set(
-        title=f"{of}, seed {result.seed} (optimum {side * result.optimum:.4f}{unit})",
-        xlabel="x (m)" if metre else "column",
-        ylabel="y (m)" if metre else "row",
-    )
+    axes.set_title(f"{of}, seed {result.seed} (optimum {side * result.optimum:.4f}{unit})", wrap=True)
+    axes.set(xlabel="x (m)" if metre else "column", ylabel="y (m)" if metre else "row")
     figure.legend(loc="outside lower center", ncols=4, frameon=False)
     _save(figure, file)
 
@@ -75,32 +71,39 @@ def _part(grid: Grid, paths: Sequence[ArrayLike]) -> tuple[slice, slice]:
     parts = []
     for axis, most in enumerate(grid.shape):
         free = np.flatnonzero(~grid.obstacles.all(axis=1 - axis))
-        first, last = max(nearest[axis] - about, free[0] - 2, 0), min(farthest[axis] + about, free[-1] + 2, most - 1)
+        first, last = (
+            max(nearest[axis] - about, free[0] - 2, 0),
+            min(farthest[axis] + about, free[-1] + 2, most - 1),
+        )
         parts.append(slice(int(first), int(last) + 1))
     return parts[0], parts[1]
 
 
 def _figure_of(grid: Grid, part: tuple[slice, slice]) -> tuple[Figure, Axes]:
-    """Return a figure with a part of the map on its axes, a pixel or more a cell as far as a screen has them."""
+    """Return a figure with a part of the map on its axes, two pixels a cell as far as a screen has them."""
     (top, bottom), (left, right) = ((lines.start - 0.5, lines.stop - 0.5) for lines in part)
     corners = _placed(grid, [(bottom, left), (bottom, right), (top, right), (top, left)])
     low, high = corners.min(axis=0), corners.max(axis=0)
     width, height = high - low
     size = 6.0, min(max(_WIDTH * height / width, 1.5), 16.0) + 1.2
     obstacles = grid.obstacles[part]
-    pixels = min(max(max(obstacles.shape) / _WIDTH, _PIXELS), _MOST_PIXELS / max(size))
+    pixels = min(max(2 * max(obstacles.shape) / _WIDTH, _PIXELS), _MOST_PIXELS / max(size))
     figure = Figure(figsize=size, dpi=pixels, layout="constrained")
     axes = figure.subplots()
     # outside of a map that is turned is nothing: not free ground, which is white
     axes.set_facecolor("0.9")
     zero, one_down, one_right = _placed(grid, [(0, 0), (1, 0), (0, 1)])
     turned = Affine2D.from_values(*(one_right - zero), *(one_down - zero), *zero)
-    image = axes.imshow(obstacles, cmap="Greys", vmin=0, vmax=1.6, extent=(left, right, bottom, top))
+    image = axes.imshow(
+        obstacles, cmap="Greys", vmin=0, vmax=1.6, interpolation_stage="data", extent=(left, right, bottom, top)
+    )
     image.set_transform(turned + axes.transData)
     if max(grid.shape) <= _SMALL:
         across = [_placed(grid, [(line, left), (line, right)]) for line in np.arange(top, bottom + 1)]
         down = [_placed(grid, [(top, line), (bottom, line)]) for line in np.arange(left, right + 1)]
-        axes.add_collection(LineCollection([*across, *down], colors="0.85", linewidths=0.5, zorder=1), autolim=False)
+        axes.add_collection(
+            LineCollection([*across, *down], colors="0.85", linewidths=0.5, zorder=1), autolim=False
+        )
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(*((low[1], high[1]) if grid.frame is not None else (high[1], low[1])))
     for axis in (axes.xaxis, axes.yaxis):
