@@ -46,9 +46,13 @@ class Places:
 def write_path(result: Result, folder: Path) -> None:
     """Write the returned path of a trial, each file whole; none where no ant arrived.
 
+    Those of an earlier trial in the folder are removed: no robot shall follow a path of another map.
+
     Raises:
-        OSError: if one cannot be written.
+        OSError: if one cannot be written or removed.
     """
+    for name in (CSV, YAML):
+        (folder / name).unlink(missing_ok=True)
     places = places_of(result)
     if places is None:
         return

@@ -137,6 +137,16 @@ def test_where_no_ant_arrived_nothing_is_written(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+def test_no_path_of_an_earlier_trial_stays(tmp_path: Path) -> None:
+    for frame, moves, left in (
+        (Frame(rows=4, resolution=0.5), ROUND, {"path.csv", "path.yaml"}),
+        (None, ROUND, {"path.csv"}),
+        (None, None, set()),
+    ):
+        write_path(result(frame, moves), tmp_path)
+        assert {path.name for path in tmp_path.iterdir()} == left
+
+
 def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "path.yaml").mkdir()
     with pytest.raises(OSError, match=r"path\.yaml"):
