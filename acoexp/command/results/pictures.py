@@ -35,23 +35,25 @@ def draw_map(result: Result, file: Path) -> None:
     grid, path, raw = result.grid, result.path, result.raw_path
     if raw is not None and path is not None and np.array_equal(raw, path):
         raw = None
-    part = _part(grid, [cells for cells in ([grid.start, grid.goal], path, raw) if cells is not None])
-    figure, axes = _figure_of(grid, part)
-    is_small, metre = max(grid.shape) <= _SMALL, grid.frame is not None
+    figure, axes = _figure_of(grid, [cells for cells in ([grid.start, grid.goal], path, raw) if cells is not None])
     side, unit = (1.0, "") if grid.frame is None else (grid.frame.resolution, " m")
     if raw is not None:
-        look = {"linewidth": 1.5, "linestyle": "--"} if is_small else {"linewidth": 0.6, "alpha": 0.5}
+        look = {"linewidth": 1.5, "linestyle": "--"} if _is_small(grid) else {"linewidth": 0.6, "alpha": 0.5}
         axes.plot(*_placed(grid, raw).T, color=ORANGE, label="as walked", **look)
     if path is not None:
         label = f"path, {side * result.length:.4f}{unit}"
-        axes.plot(*_placed(grid, path).T, color=BLUE, linewidth=2.5 if is_small else 1.8, label=label)
+        axes.plot(*_placed(grid, path).T, color=BLUE, linewidth=2.5 if _is_small(grid) else 1.8, label=label)
     for name, cell, marker, size in (("start", grid.start, "o", 6), ("goal", grid.goal, "*", 12)):
         axes.plot(*_placed(grid, [cell]).T, marker, color=GREEN, markersize=size, clip_on=False, label=name)
     of = as_it_is(f"{result.algo} on {grid.name}")
     axes.set_title(f"{of}, seed {result.seed} (optimum {side * result.optimum:.4f}{unit})", wrap=True)
-    axes.set(xlabel="x (m)" if metre else "column", ylabel="y (m)" if metre else "row")
+    axes.set(xlabel="x (m)" if grid.frame else "column", ylabel="y (m)" if grid.frame else "row")
     figure.legend(loc="outside lower center", ncols=4, frameon=False)
     _save(figure, file)
+
+
+def _is_small(grid: Grid) -> bool:
+    return max(grid.shape) <= _SMALL
 
 
 def _placed(grid: Grid, cells: ArrayLike) -> NDArray[np.float64]:
@@ -62,53 +64,54 @@ def _placed(grid: Grid, cells: ArrayLike) -> NDArray[np.float64]:
 
 
 def _part(grid: Grid, paths: Sequence[ArrayLike]) -> tuple[slice, slice]:
-    """Return the rows and columns that are drawn: about the paths, in which they take up a third or more."""
-    if max(grid.shape) <= _SMALL:
+    """Return the rows and columns that are drawn: about the paths, which take up a third of them or more."""
+    if _is_small(grid):
         return slice(0, grid.shape[0]), slice(0, grid.shape[1])
     cells = np.concatenate(paths)
     nearest, farthest = cells.min(axis=0), cells.max(axis=0)
     about = max(int((farthest - nearest).max()), _SMALL // 2)
-    parts = []
-    for axis, most in enumerate(grid.shape):
-        free = np.flatnonzero(~grid.obstacles.all(axis=1 - axis))
-        first, last = (
-            max(nearest[axis] - about, free[0] - 2, 0),
-            min(farthest[axis] + about, free[-1] + 2, most - 1),
-        )
-        parts.append(slice(int(first), int(last) + 1))
-    return parts[0], parts[1]
+    free = [np.flatnonzero(~grid.obstacles.all(axis=across)) for across in (1, 0)]
+    first = np.maximum(nearest - about, [lines[0] - 2 for lines in free]).clip(min=0).tolist()
+    last = np.minimum(farthest + about, [lines[-1] + 2 for lines in free]).tolist()  # a slice ends with the map
+    return slice(first[0], last[0] + 1), slice(first[1], last[1] + 1)
 
 
-def _figure_of(grid: Grid, part: tuple[slice, slice]) -> tuple[Figure, Axes]:
-    """Return a figure with a part of the map on its axes, two pixels a cell as far as a screen has them."""
-    (top, bottom), (left, right) = ((lines.start - 0.5, lines.stop - 0.5) for lines in part)
+def _figure_of(grid: Grid, paths: Sequence[ArrayLike]) -> tuple[Figure, Axes]:
+    """Return a figure with the map about paths on its axes, in two pixels a cell as far as a screen has them."""
+    part = _part(grid, paths)
+    obstacles = grid.obstacles[part]
+    top, left = part[0].start - 0.5, part[1].start - 0.5
+    bottom, right = top + obstacles.shape[0], left + obstacles.shape[1]
     corners = _placed(grid, [(bottom, left), (bottom, right), (top, right), (top, left)])
     low, high = corners.min(axis=0), corners.max(axis=0)
     width, height = high - low
     size = 6.0, min(max(_WIDTH * height / width, 1.5), 16.0) + 1.2
-    obstacles = grid.obstacles[part]
     pixels = min(max(2 * max(obstacles.shape) / _WIDTH, _PIXELS), _MOST_PIXELS / max(size))
     figure = Figure(figsize=size, dpi=pixels, layout="constrained")
     axes = figure.subplots()
-    # outside of a map that is turned is nothing: not free ground, which is white
-    axes.set_facecolor("0.9")
-    zero, one_down, one_right = _placed(grid, [(0, 0), (1, 0), (0, 1)])
-    turned = Affine2D.from_values(*(one_right - zero), *(one_down - zero), *zero)
-    image = axes.imshow(
-        obstacles, cmap="Greys", vmin=0, vmax=1.6, interpolation_stage="data", extent=(left, right, bottom, top)
-    )
-    image.set_transform(turned + axes.transData)
-    if max(grid.shape) <= _SMALL:
-        across = [_placed(grid, [(line, left), (line, right)]) for line in np.arange(top, bottom + 1)]
-        down = [_placed(grid, [(top, line), (bottom, line)]) for line in np.arange(left, right + 1)]
-        axes.add_collection(
-            LineCollection([*across, *down], colors="0.85", linewidths=0.5, zorder=1), autolim=False
-        )
+    _draw_obstacles(axes, grid, obstacles, (left, right, bottom, top))
     axes.set_xlim(low[0], high[0])
-    axes.set_ylim(*((low[1], high[1]) if grid.frame is not None else (high[1], low[1])))
+    axes.set_ylim(*((low[1], high[1]) if grid.frame else (high[1], low[1])))
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(integer=grid.frame is None))
     return figure, axes
+
+
+def _draw_obstacles(
+    axes: Axes, grid: Grid, obstacles: NDArray[np.bool_], extent: tuple[float, float, float, float]
+) -> None:
+    """Draw a part of the map, its extent in cells: left, right, bottom, top."""
+    left, right, bottom, top = extent
+    axes.set_facecolor("0.9")  # outside of a map that is turned there is no free ground, which is white
+    zero, one_down, one_right = _placed(grid, [(0, 0), (1, 0), (0, 1)])
+    turned = Affine2D.from_values(*(one_right - zero), *(one_down - zero), *zero)
+    image = axes.imshow(obstacles, cmap="Greys", vmin=0, vmax=1.6, interpolation_stage="data", extent=extent)
+    image.set_transform(turned + axes.transData)
+    if _is_small(grid):
+        across = [_placed(grid, [(line, left), (line, right)]) for line in np.arange(top, bottom + 1)]
+        down = [_placed(grid, [(top, line), (bottom, line)]) for line in np.arange(left, right + 1)]
+        lines = LineCollection([*across, *down], colors="0.85", linewidths=0.5, zorder=1)
+        axes.add_collection(lines, autolim=False)
 
 
 def draw_convergence(result: Result, file: Path) -> None:
