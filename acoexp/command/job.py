@@ -19,6 +19,7 @@ from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
 from acoexp.command.options.quoting import literal
 from acoexp.command.results.contents import batch_record, trial_record
+from acoexp.command.results.paths import write_path
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
 from acoexp.command.results.table import print_report, print_trial
 from acoexp.command.results.watch import Watched, watching
@@ -126,10 +127,11 @@ class Job:
             return self._run_batch(folder, self.seeds)
 
     def _run_trial(self, folder: Path, alone: bool) -> float:
-        """Run one trial; with pictures and its row of figures where it is the only one."""
+        """Run one trial; with its path, pictures and its row of figures where it is the only one."""
         trial, seconds = keep_trial(self.setup, self.keys.seed, self.tracker, resume=self.keys.resume)
         write_record(folder / TRIAL, trial_record(trial, seconds))
         if alone:
+            write_path(trial.result, folder)
             _draw(trial.result, folder)
             print_trial(Path(HydraConfig.get().run.dir), self.tracker.where)
         return trial.result.length if trial.result.path is not None else math.inf

@@ -108,12 +108,23 @@ def test_a_trial_leaves_its_settings_its_record_and_its_pictures_and_returns_its
     job = made(*QUICK, "seed=3")
     result = solve("fig13", "aco", 3, **FEW)
     assert job.run() == (result.length if result.path is not None else math.inf)
-    assert listing(tmp_path / "job") == {"config.yaml", "trial.json", "path.png", "convergence.png"}
+    written = {"config.yaml", "trial.json", "path.csv", "path.png", "convergence.png"}
+    assert listing(tmp_path / "job") == (written if result.path is not None else written - {"path.csv"})
     assert (
         json.loads((tmp_path / "job" / "trial.json").read_text("utf-8"))["lost_ants"] == result.lost_ants.tolist()
     )
     assert yaml.safe_load((tmp_path / "job" / "config.yaml").read_text("utf-8")) == job.config
     assert "files: job" in capsys.readouterr().out
+
+
+def test_a_path_that_cannot_be_written_is_an_error_of_a_trial_that_is_kept(
+    made: Callable[..., Job], tmp_path: Path
+) -> None:
+    job = made(*QUICK, "seed=3")
+    (tmp_path / "job" / "path.csv").mkdir()
+    with pytest.raises(OSError, match=r"path\.csv"):
+        job.run()
+    assert (tmp_path / "job" / "trial.json").exists()
 
 
 def test_a_trial_of_a_sweep_draws_and_prints_nothing(

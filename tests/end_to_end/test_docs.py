@@ -37,7 +37,8 @@ def commands(page: Path) -> list[tuple[str, str]]:
 
 @pytest.fixture
 def as_a_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, and a shell in which ``python`` and ``acoexp`` are this environment's."""
+    """A folder with a checkout's tests, and a shell in which ``python`` and ``acoexp`` are this environment's."""
+    (tmp_path / "tests").symlink_to(ROOT / "tests")
     monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}:/usr/bin:/bin")
     return tmp_path
 

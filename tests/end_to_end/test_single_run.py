@@ -37,7 +37,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
 def test_its_folder_holds_record_configuration_and_pictures(run: Run) -> None:
     names = {name for name in listing(run.folder) if not name.startswith(".hydra")}
     names.discard("acoexp.log")  # there if the kernels had to be compiled
-    assert names == {"trial.json", "config.yaml", "path.png", "convergence.png"}
+    assert names == {"trial.json", "config.yaml", "path.csv", "path.png", "convergence.png"}
 
 
 @pytest.mark.parametrize("name", ["path.png", "convergence.png"])

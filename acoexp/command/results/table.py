@@ -82,7 +82,7 @@ def _console() -> Console:
 
 def _table(rows: Sequence[Row], spread: bool) -> Table:
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
-    varied = _varied([row.config for row in rows])
+    varied = _varied(rows)
     headings = ["algo", "map", *varied, "x1", "x2", "x3", "l1", "l2", "optimum", "gap", "lost"]
     if spread:
         headings += ["found", "ms"]
@@ -134,9 +134,10 @@ def _plus_minus() -> str:
     return "±"
 
 
-def _varied(configs: Sequence[Mapping[str, str]]) -> list[str]:
+def _varied(rows: Sequence[Row]) -> list[str]:
     """Return the keys in which rows differ, besides algorithm and map; the parts only where both are alike."""
-    keys = sorted({key for config in configs for key in config} - _NOT_VARIED)
-    if len({(c["algo"], c["map.name"]) for c in configs}) == len(configs):
+    if len({(row.algo, row.map) for row in rows}) == len(rows):
         return []
+    configs = [row.config for row in rows]
+    keys = sorted({key for config in configs for key in config} - _NOT_VARIED)
     return [key for key in keys if len({config.get(key, "") for config in configs}) > 1]

@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
 from acoexp import Grid, Result
 from acoexp.command.results import pictures
 from acoexp.command.results.pictures import draw_convergence, draw_map
+from acoexp.grid.frame import Frame
 
 E, NE, N, NW, W, SW, S, SE = range(8)
 
@@ -84,6 +86,52 @@ def test_where_no_ant_arrived_the_map_has_no_path(drawn: list[Figure]) -> None:
     assert lines(axes_of(drawn)).keys() == {"start", "goal"}
 
 
+def test_a_map_with_a_frame_is_drawn_in_metres(drawn: list[Figure]) -> None:
+    frame = Frame(rows=3, resolution=0.5, origin=(-1.0, 2.0))
+    draw_map(result(grid=Grid(np.zeros((3, 4)), name="yard", frame=frame)), Path("unused"))
+    axes = axes_of(drawn)
+    path = [(-0.75, 3.25), (-0.25, 2.75), (0.25, 2.25), (0.75, 2.25)]
+    assert lines(axes) == {"path, 1.9142 m": path, "start": path[:1], "goal": path[-1:]}
+    assert axes.get_title() == "pdg on yard, seed 3 (optimum 1.9142 m)"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (m)", "y (m)")
+    assert (axes.get_xlim(), axes.get_ylim()) == ((-1.0, 1.0), (2.0, 3.5))
+
+
+@pytest.mark.parametrize("frame", [None, Frame(rows=3, resolution=0.5, origin=(-1.0, 2.0), yaw=1.0)])
+def test_obstacles_lie_under_their_cells_however_a_map_is_turned(drawn: list[Figure], frame: Frame | None) -> None:
+    grid = Grid([[0, 1, 0], [0, 0, 0], [0, 0, 0]], frame=frame)
+    draw_map(result(grid=grid, moves=[S, S, E, E]), Path("unused"))
+    axes = axes_of(drawn)
+    (figure,) = drawn
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    seen = np.asarray(canvas.buffer_rgba())[::-1, :, 0]  # pixels are counted from below
+    centres = [(row, col) for row in range(3) for col in (1, 2) if row < 2]  # those that no path runs through
+    places = [(col, row) for row, col in centres] if frame is None else frame.to_metres(centres)
+    shades = [int(seen[int(y), int(x)]) for x, y in axes.transData.transform(places)]
+    assert [shade < 128 for shade in shades] == [grid.obstacles[cell] for cell in centres]
+
+
+@pytest.mark.parametrize(("cols", "limits"), [(64, (-0.5, 63.5)), (400, (160.5, 260.5))])
+def test_of_a_large_map_what_lies_about_the_path_is_drawn(
+    drawn: list[Figure], cols: int, limits: tuple[float, float]
+) -> None:
+    grid = Grid(np.zeros((9, cols)), start=(4, cols // 2 - 6), goal=(4, cols // 2 + 27))
+    draw_map(result(grid=grid, moves=[E] * 33), Path("unused"))
+    assert axes_of(drawn).get_xlim() == limits
+    assert axes_of(drawn).get_ylim() == (8.5, -0.5)
+
+
+def test_what_lies_about_the_free_cells_of_a_large_map_is_not_drawn(drawn: list[Figure]) -> None:
+    obstacles = np.ones((200, 300), dtype=bool)
+    obstacles[50:60, 100:190] = False
+    draw_map(result(grid=Grid(obstacles, start=(50, 100), goal=(50, 189)), moves=[E] * 89), Path("unused"))
+    axes = axes_of(drawn)
+    assert (axes.get_xlim(), axes.get_ylim()) == ((97.5, 191.5), (61.5, 47.5))
+    (image,) = axes.images
+    assert np.array_equal(np.asarray(image.get_array()), obstacles[48:62, 98:192])
+
+
 def test_the_curve_shows_its_features_and_the_optimum(drawn: list[Figure]) -> None:
     draw_convergence(result(), Path("unused"))
     shown = lines(axes_of(drawn))
@@ -97,7 +145,7 @@ def test_features_that_there_are_not_are_not_drawn(drawn: list[Figure]) -> None:
     assert lines(axes_of(drawn)).keys() == {"optimum, 3.8284", "best in the cycle"}
 
 
-@pytest.mark.parametrize("shape", [(1, 300), (300, 1), (2, 2)])
+@pytest.mark.parametrize("shape", [(1, 300), (300, 1), (2, 2), (16_384, 1), (2048, 2048)])
 def test_a_map_of_any_shape_makes_a_picture_that_a_screen_can_show(shape: tuple[int, int], tmp_path: Path) -> None:
     draw_map(result(grid=Grid(np.zeros(shape)), moves=None), tmp_path / "path.png")
     with Image.open(tmp_path / "path.png") as picture:

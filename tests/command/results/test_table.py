@@ -69,6 +69,23 @@ def test_each_algorithm_and_map_has_a_row(tmp_path: Path, capsys: Any) -> None:
     assert "rho" not in lines[0]
 
 
+def test_rows_of_a_scenario_are_told_apart_by_their_names(tmp_path: Path, capsys: Any) -> None:
+    sweep = [("nav", "0.5"), ("acs", "0.1")]
+    trials = [
+        trial(
+            0,
+            **config(algo=algo, rho=rho, **{"map.name": "movingai", "map.instance": str(n)}),
+            map=f"yard.map#{n}",
+        )
+        for algo, rho in sweep
+        for n in (0, 1)
+    ]
+    lines = table_of(tmp_path, trials, capsys)
+    assert lines[0][:3] == ["algo", "map", "x1"]
+    named = [line[:2] for line in lines if line[1:2] and line[1].startswith("yard")]
+    assert named == [[algo, f"yard.map#{n}"] for n in (0, 1) for algo in ("acs", "nav")]
+
+
 def test_a_key_that_tells_rows_apart_has_a_column(tmp_path: Path, capsys: Any) -> None:
     lines = table_of(tmp_path, [trial(0, **config(rho=rho)) for rho in ("0.3", "0.5")], capsys)
     assert [row(lines, n)["rho"] for n in (1, 2)] == ["0.3", "0.5"]
