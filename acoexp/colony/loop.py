@@ -19,7 +19,7 @@ from acoexp.colony.steps import idle
 from acoexp.colony.trails import copy_trail, leads_to_goal, read_cells, write_cells
 
 NO_PATH = -1
-"""What the loop returns if a choice made moves that are not allowed, or never came to an end."""
+"""What the loop returns if a choice made moves that are not allowed."""
 
 UNSOUND = -3
 """What the loop returns if a part made pheromone negative or not a number."""

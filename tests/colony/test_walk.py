@@ -46,6 +46,11 @@ def go_south(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
 
 
 @compiled
+def think_better_of_it(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
+    return 0 if cell == colony.start else BACK
+
+
+@compiled
 def go_nowhere(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> Any:
     return 2**32
 
@@ -118,11 +123,16 @@ def test_a_choice_that_breaks_its_contract_is_noticed(choose: Any, order: str) -
 
 
 @pytest.mark.parametrize("order", ORDERS)
-def test_an_ant_that_never_comes_to_an_end_is_lost(order: str) -> None:
-    sound, trails, colony = walked(order, CORRIDOR, ants=2, choose=go_to_and_fro)
+@pytest.mark.parametrize(("choose", "steps"), [(go_to_and_fro, 18), (think_better_of_it, 0)])
+@pytest.mark.parametrize("max_steps", [None, 10**9])
+def test_an_ant_that_never_comes_to_an_end_is_lost(
+    choose: Any, steps: int, max_steps: int | None, order: str
+) -> None:
+    sound, trails, colony = walked(order, CORRIDOR, ants=2, choose=choose, max_steps=max_steps)
+    assert colony.allowed.size == 18
     assert sound
     assert np.isinf(trails.length).all()
-    assert trails.steps.tolist() == [colony.allowed.size] * 2
+    assert trails.steps.tolist() == [steps] * 2
 
 
 @pytest.mark.parametrize("order", ORDERS)
