@@ -157,7 +157,7 @@ def test_on_another_map_it_keeps_the_one_that_was_there(tmp_path: Path) -> None:
     reports = tmp_path / "outputs/reports"
     (kept,) = (path for path in reports.iterdir() if path.name != "compare")
     assert re.fullmatch(r"compare-\d{4}(-\d\d){5}", kept.name)
-    assert f"is of other settings, and is kept: outputs/reports/{kept.name}\n" in ended.stderr
+    assert f"or was changed since, and is kept: outputs/reports/{kept.name}\n" in ended.stderr
     assert all((reports / name / "index.html").is_file() for name in ("compare", kept.name))
 
 
