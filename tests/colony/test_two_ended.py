@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numba
 import numpy as np
 import pytest
 from samples import random_grid
@@ -12,6 +13,11 @@ import acoexp
 from acoexp import Grid
 from acoexp.registry.resolve import resolve
 from acoexp.trial.solver import Solver
+
+pytestmark = pytest.mark.skipif(
+    not numba.config.DISABLE_JIT,  # type: ignore[attr-defined]
+    reason="each would have to be compiled; test_loop holds one that is against the reference",
+)
 
 CORRIDOR = Grid([[0, 0, 0, 0, 0, 0]], start=(0, 0), goal=(0, 5))
 FORK = Grid([[0, 0, 0, 0], [1, 1, 1, 0], [0, 0, 0, 0]], start=(0, 1), goal=(2, 1), moves="no_cut")
