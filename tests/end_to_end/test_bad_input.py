@@ -188,7 +188,7 @@ MAPS: dict[bytes, str] = {
     b"; moves: free\n\n": "an empty text",
     b"...\n..\n...\n": "row 2 has 2 cells; expected 3",
     b"...\n.x.\n...\n": "row 2, column 2: expected one of . # S G; got 'x'",
-    b"0 1\n0 2\n": "row 2, column 2: expected one of 0 1",
+    b"0 1\n0 4\n": "row 2, column 2: expected one of 0 1",
     b"\x89PNG\xff\xfe\x00\x01": "UTF-8",
     b"#..\n...\n...\n": "start (0, 0) is an obstacle",
     b"...\n...\n..#\n": "goal (2, 2) is an obstacle",

@@ -21,7 +21,10 @@ from acoexp.kernels.cache import cache_root, compile_once, is_ours, usable_folde
 from acoexp.kernels.digest import digest_of
 from acoexp.strategies.diffusion.none import stay
 
-pytestmark = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
+pytestmark = [
+    pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled"),
+    pytest.mark.skipif(not hasattr(os, "getuid"), reason="owners of POSIX"),
+]
 
 DAY = 24 * 3600.0
 
@@ -124,9 +127,6 @@ def test_what_is_asked_for_stays(root: Path) -> None:
 
 
 # --- its folder
-
-
-pytestmark = pytest.mark.skipif(not hasattr(os, "getuid"), reason="owners of POSIX")
 
 
 def test_it_is_made_for_this_user_alone(root: Path) -> None:
