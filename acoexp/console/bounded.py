@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import re
+from itertools import accumulate
+
 import yaml
+
+_DEEPEST = 100
+"""Brackets that may stand open at once."""
 
 
 def check_bounded(text: str, most: int) -> None:
@@ -17,6 +23,9 @@ def check_bounded(text: str, most: int) -> None:
         YAMLError: if it is no YAML.
         RecursionError: if it is too deep.
     """
+    # the reader takes time by the square of its depth before it gives up
+    if max(accumulate(1 if sign in "[{" else -1 for sign in re.findall(r"[\[\]{}]", text)), default=0) > _DEEPEST:
+        raise RecursionError
     sizes: dict[int, int | None] = {}
 
     def size(node: yaml.Node | None) -> int:

@@ -26,3 +26,5 @@ def test_what_is_no_yaml_or_too_deep_is_left_to_the_caller() -> None:
         check_bounded("[", 9)
     with pytest.raises(RecursionError):
         check_bounded("[" * 5000, 9)
+    with pytest.raises(RecursionError):
+        check_bounded("{[" * 51, 9)
