@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 
 
@@ -12,7 +13,10 @@ def main() -> None:
     except KeyboardInterrupt:
         print("acoexp: interrupted; nothing was begun", file=sys.stderr)
         sys.exit(130)
-    run()
+    try:
+        run()
+    finally:  # all is said and kept; Ctrl-C would end what is left, Python's own tidying up, with another status
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 if __name__ == "__main__":

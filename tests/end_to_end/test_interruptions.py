@@ -174,6 +174,14 @@ def test_an_interrupted_sweep_keeps_its_finished_trials(tmp_path: Path) -> None:
 
 
 @posix
+def test_ctrl_c_after_all_was_said_changes_nothing(tmp_path: Path) -> None:
+    late = "import atexit, os, signal\natexit.register(os.kill, os.getpid(), signal.SIGINT)\n"
+    (tmp_path / "sitecustomize.py").write_text(late, encoding="utf-8")
+    ended = run_acoexp("seed=1", *QUICK, cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)})
+    assert (ended.returncode, "KeyboardInterrupt" in ended.stderr) == (0, False)
+
+
+@posix
 @pytest.mark.parametrize("module", ["acoexp.command.main", "numba", "acoexp.errors"])
 def test_ctrl_c_while_the_program_is_read_is_one_line(module: str, tmp_path: Path) -> None:
     """Whatever is being imported then."""
