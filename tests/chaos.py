@@ -34,13 +34,7 @@ SETTINGS = [f"{key}={value}" for key, value in QUICK.items()]
 SEEDS = 60
 ALGOS = ("aco", "pd")
 STATUSES = {0, 1, 130, -signal.SIGKILL, -signal.SIGTERM}
-ENDED_WELL_OR_KILLED = {
-    0,
-    130,
-    -signal.SIGKILL,
-    -signal.SIGTERM,
-    -signal.SIGINT,
-}  # the last is 130 to a shell; Python ends so if Ctrl-C met an exec()
+ENDED_WELL_OR_KILLED = {0, 130, -signal.SIGKILL, -signal.SIGTERM}
 
 
 class WrongError(Exception):

@@ -60,7 +60,7 @@ import os, signal, sys
 class Interrupting:
     def find_spec(self, name, path=None, target=None):
         if name == "{module}":
-            os.kill(os.getpid(), signal.SIGINT)
+            exec("os.kill(os.getpid(), signal.SIGINT)")  # Python has a way of its own to end then
 
 sys.meta_path.insert(0, Interrupting())
 """
