@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from acoexp.colony.compiled import compiled
+from acoexp.colony.compiled import compiled, compiled_for_python
 from acoexp.colony.orders import ORDERS
 from acoexp.colony.pheromone import refresh, reset
 from acoexp.colony.random import seed_stream
@@ -40,7 +40,7 @@ def make_loop(order: str, steps_back: bool, kernels: Kernels) -> Kernel:
     polish = idle if kernels.post is None else _polish_by(kernels.post)
     update = kernels.update
 
-    @compiled
+    @compiled_for_python
     def run(room: Any, record: Any, seed: Any) -> int:
         colony, own, raw, final, best = room.colony, room.own, room.raw, room.final, room.best
         _begin(room, record, seed)

@@ -8,7 +8,7 @@ import numba
 import numpy as np
 import pytest
 
-from acoexp.colony.compiled import compiled, is_compiled
+from acoexp.colony.compiled import compiled, compiled_for_python, is_compiled
 
 JIT_ALONE = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
 
@@ -24,9 +24,22 @@ def allocated(size: int) -> Any:
 @JIT_ALONE
 def test_nothing_is_compiled_before_the_first_call() -> None:
     kernel: Any = compiled(quotient)
-    assert not kernel.signatures
+    assert not kernel.from_python.signatures
     kernel(1.0, 2.0)
+    assert len(kernel.from_python.signatures) == 1
+
+
+@JIT_ALONE
+def test_compiled_code_takes_it_without_what_a_call_from_python_needs() -> None:
+    kernel: Any = compiled(quotient)
+
+    @compiled_for_python
+    def half(number: float) -> float:
+        return kernel(number, 2.0)  # type: ignore[no-any-return]
+
+    assert half(3.0) == 1.5
     assert len(kernel.signatures) == 1
+    assert not kernel.from_python.signatures
 
 
 @JIT_ALONE
