@@ -12,11 +12,12 @@ import numpy as np
 
 from acoexp.colony.compiled import compiled, compiled_for_python
 from acoexp.colony.orders import ORDERS
-from acoexp.colony.pheromone import refresh, reset
+from acoexp.colony.pheromone import reset
 from acoexp.colony.random import seed_stream
 from acoexp.colony.state import Kernel, Kernels
 from acoexp.colony.steps import idle
 from acoexp.colony.trails import copy_trail, leads_to_goal, read_cells, write_cells
+from acoexp.colony.weights import refresh
 
 NO_PATH = -1
 """What the loop returns if a choice made moves that are not allowed."""
@@ -81,7 +82,6 @@ def _begin(room: Any, record: Any, seed: Any) -> None:
     colony, best = room.colony, room.best
     seed_stream(colony.random, seed)
     reset(colony, room.initial)
-    colony.untouched[:] = 1.0
     colony.unsound[0] = 0
     best.length[:] = np.inf
     best.steps[:] = 0

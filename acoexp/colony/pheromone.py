@@ -16,15 +16,16 @@ from typing import Any
 
 import numpy as np
 
+from acoexp.colony.background import clamp_changed, into_bounds, spread, without
 from acoexp.colony.compiled import compiled
+from acoexp.colony.patches import note_change
+from acoexp.colony.weights import SMALLEST_EXACT, let_wait, waits, weigh, weigh_all
 
 HIGHEST_POWER = 1e90
 """Bound of stored^alpha."""
 
 _SMALLEST_SCALE = 1e-150
 _HIGHEST_SCALE = 1e150
-_SMALLEST_EXACT = 1e-280
-_WAITS = -1.0
 
 
 @compiled
@@ -36,6 +37,7 @@ def level(colony: Any, edge: Any) -> Any:
 @compiled
 def deposit(colony: Any, edge: Any, amount: Any) -> None:
     """Add pheromone to an edge."""
+    note_change(colony, edge)
     _store(colony, edge, colony.stored[edge] + amount / colony.scale[0])
     _share(colony, edge, False)
 
@@ -43,6 +45,7 @@ def deposit(colony: Any, edge: Any, amount: Any) -> None:
 @compiled
 def set_level(colony: Any, edge: Any, amount: Any) -> None:
     """Give an edge this level of pheromone."""
+    note_change(colony, edge)
     _store(colony, edge, amount / colony.scale[0])
     _share(colony, edge, False)
 
@@ -50,9 +53,16 @@ def set_level(colony: Any, edge: Any, amount: Any) -> None:
 @compiled
 def multiply(colony: Any, edge: Any, factor: Any, factor_to_alpha: Any) -> None:
     """Multiply the pheromone on an edge; the caller knows factor^alpha, so nothing is recomputed."""
+    note_change(colony, edge)
+    multiply_here(colony, edge, factor, factor_to_alpha)
+
+
+@compiled
+def multiply_here(colony: Any, edge: Any, factor: Any, factor_to_alpha: Any) -> None:
+    """Multiply the pheromone on an edge from the cell of the ant that is walking: a little quicker."""
     stored = colony.stored[np.uintp(edge)] * factor
     weight = colony.weight[np.uintp(edge)] * factor_to_alpha
-    if stored <= colony.highest_stored and weight >= _SMALLEST_EXACT:
+    if stored <= colony.highest_stored and weight >= SMALLEST_EXACT:
         colony.stored[np.uintp(edge)] = stored
         colony.weight[np.uintp(edge)] = weight
     else:
@@ -72,12 +82,17 @@ def evaporate(colony: Any, rho: Any) -> None:
 @compiled
 def clamp(colony: Any, lowest: Any, highest: Any) -> None:
     """Bring the pheromone of every edge into [lowest, highest]."""
+    if colony.background[0] > 0.0:
+        there = colony.background[0] * colony.scale[0]
+        bounded = into_bounds(there, lowest, highest)
+        scale = colony.scale[0] if bounded == there else bounded / colony.background[0]
+        if _SMALLEST_SCALE <= scale <= _HIGHEST_SCALE and highest <= colony.highest_stored * scale:
+            clamp_changed(colony, lowest, highest, scale)
+            return
     for edge in range(colony.stored.size):
         tau = level(colony, edge)
-        if tau < lowest:
-            set_level(colony, edge, lowest)
-        elif tau > highest:
-            set_level(colony, edge, highest)
+        if into_bounds(tau, lowest, highest) != tau:
+            set_level(colony, edge, into_bounds(tau, lowest, highest))
 
 
 @compiled
@@ -96,8 +111,9 @@ def lay(colony: Any, trails: Any, ant: Any, amount: Any) -> None:
         colony.stored[edge] = stored
         _share(colony, edge, True)
         if stored <= colony.highest_stored:
-            _let_wait(colony, edge)
+            let_wait(colony, edge)
         else:
+            note_change(colony, edge)
             _normalise(colony)
             share = amount / colony.scale[0]
         cell += colony.offsets[np.uintp(move)]
@@ -108,25 +124,12 @@ def reset(colony: Any, initial: Any) -> None:
     """Give every edge its initial pheromone: float64[edges], or float64[1] for one level everywhere."""
     highest = _highest(initial)
     colony.scale[0] = highest if highest > 0.0 else 1.0
-    if initial.size == 1:
-        stored = initial[0] / colony.scale[0]
-        power = stored**colony.alpha
-        for edge in range(colony.stored.size):
-            colony.stored[edge] = stored
-            colony.weight[edge] = power * colony.desirability[edge]
-        colony.stale_count[0] = 0
+    if initial.size == 1 and highest > 0.0:
+        spread(colony, initial[0] / colony.scale[0])
     else:
         for edge in range(colony.stored.size):
-            colony.stored[edge] = initial[edge] / colony.scale[0]
-        _weigh_all(colony)
-
-
-@compiled
-def refresh(colony: Any) -> None:
-    """Recompute the weights that wait for it."""
-    for i in range(colony.stale_count[0]):
-        _weigh(colony, colony.stale[i])
-    colony.stale_count[0] = 0
+            colony.stored[edge] = initial[edge % initial.size] / colony.scale[0]
+        without(colony)
 
 
 @compiled
@@ -139,12 +142,12 @@ def _store(colony: Any, edge: Any, stored: Any) -> None:
         _raise_scale(colony, amount)
         stored = amount / colony.scale[0]
     colony.stored[edge] = stored
-    if colony.weight[edge] >= 0.0:
-        _weigh(colony, edge)
+    if not waits(colony, edge):
+        weigh(colony, edge)
 
 
 @compiled
-def _share(colony: Any, edge: Any, waits: Any) -> None:
+def _share(colony: Any, edge: Any, later: Any) -> None:
     """Where pheromone lies on cells, give all edges into the cell that an edge leads to what is stored on it."""
     if colony.on_cells is None:
         return
@@ -158,29 +161,11 @@ def _share(colony: Any, edge: Any, waits: Any) -> None:
         if colony.allowed[target] >> back & 1:
             other = (target + colony.offsets[back]) * 8 + (back ^ 4)
             colony.stored[other] = stored
-            if waits:
-                _let_wait(colony, other)
-            elif colony.weight[other] >= 0.0:
+            if later:
+                let_wait(colony, other)
+            elif not waits(colony, other):
+                note_change(colony, other)
                 colony.weight[other] = power * colony.desirability[other]
-
-
-@compiled
-def _weigh(colony: Any, edge: Any) -> None:
-    colony.weight[edge] = colony.stored[edge] ** colony.alpha * colony.desirability[edge]
-
-
-@compiled
-def _let_wait(colony: Any, edge: Any) -> None:
-    """Mark an edge's weight as out of date; paths share edges, so it is recomputed once and not per ant."""
-    if colony.weight[edge] < 0.0:
-        return
-    waiting = colony.stale_count[0]
-    if waiting < colony.stale.size:
-        colony.weight[edge] = _WAITS
-        colony.stale[waiting] = edge
-        colony.stale_count[0] = waiting + 1
-    else:
-        _weigh(colony, edge)
 
 
 @compiled
@@ -200,8 +185,9 @@ def _rescale(colony: Any, factor: Any) -> None:
     """Divide what is stored by a factor, and multiply the scale by it."""
     for edge in range(colony.stored.size):
         colony.stored[edge] /= factor
+    colony.background[0] /= factor
     colony.scale[0] = min(colony.scale[0] * factor, _HIGHEST_SCALE)
-    _weigh_all(colony)
+    weigh_all(colony)
 
 
 @compiled
@@ -210,7 +196,7 @@ def _clear(colony: Any) -> None:
     for edge in range(colony.stored.size):
         colony.stored[edge] = 0.0
     colony.scale[0] = 1.0
-    _weigh_all(colony)
+    without(colony)
 
 
 @compiled
@@ -219,15 +205,3 @@ def _highest(values: Any) -> Any:
     for i in range(values.size):
         highest = max(highest, values[i])
     return highest
-
-
-@compiled
-def _weigh_all(colony: Any) -> None:
-    """Recompute every weight; most edges of a map are alike, so most powers are the one before."""
-    last, power = -1.0, 0.0
-    for edge in range(colony.stored.size):
-        if colony.stored[edge] != last:
-            last = colony.stored[edge]
-            power = last**colony.alpha
-        colony.weight[edge] = power * colony.desirability[edge]
-    colony.stale_count[0] = 0

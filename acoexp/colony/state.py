@@ -61,6 +61,9 @@ class Colony(NamedTuple):
         scale: * float64[1], the factor that all evaporation so far amounts to.
         weight: * float64[edges], stored^alpha * desirability, finite; negative where it waits to be recomputed.
         stale: * int32[], the edges that wait; ``stale_count`` int64[1] tells how many.
+        background: * float64[1], what is stored on all edges that nobody changed.
+        changed: * int32[patches], where pheromone may have been changed since the trial began;
+            ``changed_count`` int64[1] tells how many patches, ``is_changed`` uint8[patches] which.
         cycle: * int64[1], the cycle, 1..iterations.
         random: * uint64[4], the trial's random numbers; draw by ``uniform``.
         unsound: * uint8[1], not 0 once a part made a level negative or not a number.
@@ -92,6 +95,10 @@ class Colony(NamedTuple):
     weight: NDArray[np.float64]
     stale: NDArray[np.int32]
     stale_count: NDArray[np.int64]
+    background: NDArray[np.float64]
+    changed: NDArray[np.int32]
+    changed_count: NDArray[np.int64]
+    is_changed: NDArray[np.uint8]
     cycle: NDArray[np.int64]
     random: NDArray[np.uint64]
     unsound: NDArray[np.uint8]

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from acoexp.colony.compiled import compiled
+from acoexp.colony.patches import note_change
 
 
 @compiled
@@ -24,11 +25,20 @@ def is_open(colony: Any, cell: Any, direction: Any) -> Any:
 
 @compiled
 def forget(colony: Any, trails: Any, ant: Any, given_up: Any, count: Any) -> None:
-    """Lift the tabu from all cells of an ant's walk, and from so many that it gave up, for the next ant."""
+    """Lift the tabu from all cells of an ant's walk, and from so many that it gave up, for the next ant.
+
+    And note what it may have changed on its way.
+    """
     for place in range(count):
-        colony.untouched[np.uintp(given_up[place])] = 1.0
+        _leave(colony, given_up[place])
     cell = colony.start
-    colony.untouched[cell] = 1.0
+    _leave(colony, cell)
     for step in range(trails.steps[ant]):
         cell += colony.offsets[np.uintp(trails.moves[np.uintp(ant), np.uintp(step)])]
-        colony.untouched[np.uintp(cell)] = 1.0
+        _leave(colony, cell)
+
+
+@compiled
+def _leave(colony: Any, cell: Any) -> None:
+    colony.untouched[np.uintp(cell)] = 1.0
+    note_change(colony, cell * 8)

@@ -13,11 +13,12 @@ from typing import Any
 import numpy as np
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import refresh, reset
+from acoexp.colony.pheromone import reset
 from acoexp.colony.state import Kernel
 from acoexp.colony.steps import came_by, idle, is_allowed, leaves
 from acoexp.colony.tabu import forget, touch
 from acoexp.colony.trails import copy_trail, measure
+from acoexp.colony.weights import refresh
 
 AT_START, AT_GOAL = 0, 1
 """Rows of what a pair remembers."""
@@ -87,8 +88,6 @@ def at_both_ends(update: Kernel) -> tuple[Kernel, Kernel]:
     @compiled
     def begin(room: Any) -> None:
         reset(room.facing.colony, room.facing.initial)
-        room.facing.colony.untouched[:] = 1.0
-        room.facing.pair.place[:] = -1
 
     @compiled
     def close(room: Any) -> None:

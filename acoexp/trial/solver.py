@@ -112,6 +112,8 @@ class Solver:
                 if seed is None:
                     return
                 outcome = self._outcome(workspace, seed)
+                if isinstance(outcome, Failure):  # it may have ended anywhere
+                    workspace = self._new_workspace(stop)
                 with busy:
                     if not stop[0]:
                         receive(outcome)

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from acoexp.colony.background import NONE
+from acoexp.colony.patches import patches
 from acoexp.colony.pheromone import HIGHEST_POWER
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import (
@@ -172,6 +174,10 @@ def new_colony(problem: Problem, desirability: NDArray[np.float64], stop: NDArra
         weight=np.empty(cells * 8),
         stale=np.empty(min(STALE_EDGES, cells * 8), dtype=np.int32),
         stale_count=np.zeros(1, dtype=np.int64),
+        background=np.array([NONE]),
+        changed=np.empty(patches(cells * 8), dtype=np.int32),
+        changed_count=np.zeros(1, dtype=np.int64),
+        is_changed=np.zeros(patches(cells * 8), dtype=np.uint8),
         cycle=np.zeros(1, dtype=np.int64),
         random=np.zeros(4, dtype=np.uint64),
         unsound=np.zeros(1, dtype=np.uint8),

@@ -1,9 +1,10 @@
-"""What large maps cost before the first ant sets out: seconds, and bytes a cell at the peak.
+"""What large maps cost, before the first ant sets out and in a trial: seconds, and bytes a cell at the peak.
 
     python tests/benchmarks/large.py [ROUNDS]
 
 Kernels are compiled already. Time is the median of the rounds, memory all that is allocated on the way
-(tracemalloc), what a trial works on included. Run it on an idle machine.
+(tracemalloc), what a trial works on included. A trial is timed where the goal is so near that ants arrive. Run it
+on an idle machine.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import time
 import tracemalloc
 from collections.abc import Callable
 from statistics import median
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +26,19 @@ from acoexp.trial.solver import Solver
 
 SIDES = (512, 1024, 2048)
 ALGOS = ("aco", "pdg")
+
+WAREHOUSE, NEAR = (1674, 1006), 60
+"""Rows and columns of the largest ROS map that was tried; columns and rows from start to goal."""
+
+TRIALS: tuple[tuple[str, dict[str, Any]], ...] = (
+    ("aco", {}),
+    ("eas", {}),
+    ("acs", {}),
+    ("mmas", {}),
+    ("aco", {"order": "lock_step"}),
+    ("mmas", {"order": "lock_step"}),
+)
+SEEDS = range(20)
 
 
 def obstacles_of(side: int) -> NDArray[np.bool_]:
@@ -64,6 +79,27 @@ def peak(job: Callable[[], object]) -> int:
     return most
 
 
+def near_goal() -> Grid:
+    """Return a map with an obstacle on every tenth cell, start and goal in its middle."""
+    obstacles = np.random.default_rng(0).random(WAREHOUSE) < 0.1
+    row, col = WAREHOUSE[0] // 2, WAREHOUSE[1] // 2
+    obstacles[row, col] = obstacles[row + NEAR, col + NEAR] = False
+    return Grid(obstacles, start=(row, col), goal=(row + NEAR, col + NEAR), moves="no_cut")
+
+
+def trial_table(rounds: int) -> list[tuple[str, float, float]]:
+    """Return a trial's name, its seconds, and these as a multiple of the first's."""
+    grid = near_goal()
+    solvers = {" ".join([a, *s.values()]): Solver(grid, resolve(a, s)) for a, s in TRIALS}
+    trials = {name: solver.trials(SEEDS) for name, solver in solvers.items()}
+    spent: dict[str, list[float]] = {name: [] for name in trials}
+    for _ in range(rounds + 1):
+        for name, results in trials.items():
+            spent[name].append(seconds(lambda results=results: next(results)))
+    times = {name: median(several[1:]) for name, several in spent.items()}  # the first fills the memory
+    return [(name, time, time / times["aco"]) for name, time in times.items()]
+
+
 def main(rounds: int) -> None:
     """Print the table."""
     jobs = {side: jobs_on(side) for side in SIDES}
@@ -77,6 +113,9 @@ def main(rounds: int) -> None:
     for name in jobs[SIDES[0]]:
         cells = (f"{median(spent[s, name]):.2f} s, {most[s, name] / s**2:.0f} bytes per cell" for s in SIDES)
         print(f"| {name} | {' | '.join(cells)} |")
+    print("\n| a trial on {} x {} | median | x aco |\n|---|---|---|".format(*WAREHOUSE))
+    for name, time_of_it, ratio in trial_table(min(rounds, len(SEEDS) - 1)):
+        print(f"| {name} | {1e3 * time_of_it:.1f} ms | {ratio:.1f} |")
 
 
 if __name__ == "__main__":

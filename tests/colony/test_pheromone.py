@@ -15,6 +15,7 @@ from acoexp import Grid
 from acoexp.colony import pheromone
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Colony
+from acoexp.colony.weights import refresh
 from acoexp.trial.workspace import direction_offsets
 
 GRID = Grid([[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])
@@ -85,7 +86,7 @@ def act(colony: Colony, model: dict[int, float], name: str, *arguments: Any) -> 
             pheromone.clamp(colony, lowest, highest)
             model.update({edge: min(max(level, lowest), highest) for edge, level in model.items()})
         case "refresh", ():
-            pheromone.refresh(colony)
+            refresh(colony)
 
 
 def assert_levels(colony: Colony, model: dict[int, float]) -> None:
@@ -127,7 +128,7 @@ def test_any_sequence_of_operations_does_what_it_does_to_a_plain_model(
     for step in steps:
         act(colony, model, *step)
         assert_levels(colony, model)
-    pheromone.refresh(colony)
+    refresh(colony)
     assert_weights(colony, model)
     assert colony.stale_count[0] == 0
 
@@ -161,7 +162,7 @@ def test_where_too_many_edges_wait_the_others_are_weighed_at_once() -> None:
     act(colony, model, "lay", WALKS[1], 2.0)
     assert colony.stale_count[0] == 2
     assert (colony.weight < 0.0).sum() == 2
-    pheromone.refresh(colony)
+    refresh(colony)
     assert_weights(colony, model)
 
 
@@ -170,7 +171,7 @@ def test_evaporation_goes_on_for_ever_without_underflow_of_its_factor() -> None:
     for _ in range(1000):
         act(colony, model, "evaporate", 0.5)
         act(colony, model, "lay", WALKS[2], 1.0)
-        pheromone.refresh(colony)
+        refresh(colony)
         assert colony.scale[0] > 1e-150
     assert_levels(colony, model)
     assert_weights(colony, model)
@@ -185,15 +186,20 @@ def test_when_all_evaporates_nothing_is_left_and_new_pheromone_counts() -> None:
     assert_weights(colony, model)
 
 
-def test_reset_forgets_everything() -> None:
-    colony, model = some_colony(1.1)
-    fresh = [array.copy() for array in (colony.stored, colony.weight, colony.scale)]
-    act(colony, model, "evaporate", 0.5)
-    act(colony, model, "lay", WALKS[0], 2.0)
+@settings(deadline=None, max_examples=200)
+@given(st.lists(operations, max_size=20), st.sampled_from([0.0, 1.1]), st.sampled_from(["edges", "cells"]))
+def test_reset_forgets_everything_to_the_last_bit(
+    steps: list[tuple[Any, ...]], alpha: float, lies_on: str
+) -> None:
+    colony, model = some_colony(alpha, pheromone=lies_on)
+    parts = colony.stored, colony.weight, colony.scale, colony.is_changed
+    fresh = [array.copy() for array in parts]
+    for step in steps:
+        act(colony, model, *step)
     pheromone.reset(colony, np.array([0.7]))
-    for array, before in zip((colony.stored, colony.weight, colony.scale), fresh, strict=True):
+    for array, before in zip(parts, fresh, strict=True):
         assert (array == before).all()
-    assert colony.stale_count[0] == 0
+    assert colony.stale_count[0] == colony.changed_count[0] == 0
 
 
 def test_the_initial_pheromone_may_differ_from_edge_to_edge() -> None:
@@ -216,7 +222,7 @@ def test_pheromone_that_no_float_holds_still_evaporates_and_grows(alpha: float) 
         pheromone.evaporate(colony, rate)
         pheromone.lay(colony, trails_of(colony, WALKS[0]), 0, 1.0)
         pheromone.deposit(colony, EDGES[0], 1.0)
-        pheromone.refresh(colony)
+        refresh(colony)
         assert np.isfinite(colony.stored).all()
         assert np.isfinite(colony.weight).all()
     assert math.isclose(pheromone.level(colony, EDGES[0]), 2.0)

@@ -7,6 +7,7 @@ import pytest
 from reference import moves_of
 from samples import colony_on, drawn, number_of, problem_on, trails_of
 
+from acoexp.colony.patches import PATCH
 from acoexp.colony.tabu import forget, is_open, touch
 
 E, NE, N, NW, W, SW, S, SE = range(8)
@@ -47,3 +48,12 @@ def test_the_next_ant_finds_every_cell_open() -> None:
     assert (colony.untouched == 0.0).sum() == 6
     forget(colony, trails_of(colony, walk), 0, given_up, 1)
     assert (colony.untouched == 1.0).all()
+
+
+def test_what_an_ant_may_have_changed_on_its_way_is_noted_when_it_leaves() -> None:
+    grid, _ = drawn(DRAWING, "free")
+    problem = problem_on(grid)
+    colony, given_up = colony_on(problem), np.array([number_of(problem, (2, 0))], dtype=np.int32)
+    forget(colony, trails_of(colony, [E, SE, SE, E]), 0, given_up, 1)
+    been = [number_of(problem, cell) for cell in [(0, 0), (0, 1), (1, 2), (2, 3), (2, 4), (2, 0)]]
+    assert set(colony.is_changed.nonzero()[0].tolist()) == {cell * 8 // PATCH for cell in been}

@@ -15,9 +15,13 @@ from reference import Colony, length_of, pair_of
 from samples import ALGOS, as_cells, everything, grids, is_way, optimum_of, random_grid, settings_of
 
 import acoexp
-from acoexp import Grid
+from acoexp import Grid, Result
+from acoexp.colony.compiled import compiled
+from acoexp.colony.random import uniform
 from acoexp.registry.load_map import as_grid
 from acoexp.registry.resolve import resolve
+from acoexp.strategies import Diffusion
+from acoexp.trial.failures import Failure
 from acoexp.trial.solver import Solver
 
 JIT = not numba.config.DISABLE_JIT
@@ -190,3 +194,25 @@ def test_the_room_after_a_trial_holds_its_best_path() -> None:
     solver = Solver(as_grid("env2"), resolve("aco", {"iterations": 10}))
     best, result = solver.room_after(3).best, solver.solve(3)
     assert best.moves[0, : best.steps[0]].tolist() == result.moves.tolist()
+
+
+@compiled
+def stumble(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> None:
+    if uniform(colony.random) < 0.004:
+        raise ValueError("stumbled")
+
+
+class Stumbling(Diffusion):
+    """Breaks off a trial in the middle of an ant's walk, now and then."""
+
+    kernel = staticmethod(stumble)
+
+
+def test_a_trial_that_was_broken_off_leaves_nothing_to_the_next() -> None:
+    chosen = resolve("aco", {"diffusion": Stumbling(), "ants": 3, "iterations": 4})
+    solver = Solver(random_grid(8, 12, 16, "free"), chosen)
+    outcomes: list[Result | Failure] = []
+    solver.run(range(40), outcomes.append, threads=1)
+    whole = [outcome for outcome in outcomes if isinstance(outcome, Result)]
+    assert 5 < len(whole) < 35
+    assert [everything(solver.solve(result.seed)) for result in whole] == list(map(everything, whole))

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import multiply
+from acoexp.colony.pheromone import multiply_here
 from acoexp.colony.problem import Problem
 from acoexp.grid.field import NO_DIRECTION
 from acoexp.grid.moves import SQRT2
@@ -41,7 +41,7 @@ def diffuse(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> None:
     sector = own.sector[np.uintp(cell)]
     if sector != NO_DIRECTION:
         kind = sector & 1
-        multiply(colony, cell * 8 + sector, own.growth[kind], own.growth_to_alpha[kind])
+        multiply_here(colony, cell * 8 + sector, own.growth[kind], own.growth_to_alpha[kind])
 
 
 def shares() -> NDArray[np.float64]:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import deposit, level, multiply
+from acoexp.colony.pheromone import deposit, level, multiply_here
 from acoexp.colony.problem import Problem
 from acoexp.grid.field import NO_DIRECTION
 from acoexp.parameters import parameter
@@ -50,7 +50,7 @@ def diffuse(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> None:
         return
     if far != NO_DIRECTION:
         deposit(colony, cell * 8 + far, own.side[cell] * level(colony, cell * 8 + near))
-    multiply(colony, cell * 8 + near, own.growth[cell], own.growth_to_alpha[cell])
+    multiply_here(colony, cell * 8 + near, own.growth[cell], own.growth_to_alpha[cell])
 
 
 @dataclass(frozen=True, kw_only=True)

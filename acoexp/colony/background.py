@@ -1,0 +1,98 @@
+"""The background: what is stored on every edge whose pheromone no part has changed.
+
+On a large map that is nearly every edge. What is done to all pheromone alike is done to the background as one
+number, and one by one to the edges of changed patches alone.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from acoexp.colony.compiled import compiled
+from acoexp.colony.patches import PATCH, forget_change, forget_changes, past_edge
+from acoexp.colony.weights import SMALLEST_EXACT, waits, weigh, weigh_all
+
+NONE = -1.0
+"""The background where there is none, as levels differ from edge to edge: no edge has it."""
+
+
+@compiled
+def spread(colony: Any, stored: Any) -> None:
+    """Store one value, greater than 0, on every edge, and bring the weights up to date."""
+    power = stored**colony.alpha
+    if colony.background[0] == stored:
+        while colony.changed_count[0] > 0:
+            patch = np.int64(colony.changed[0])
+            _store(colony, patch * PATCH, past_edge(colony, patch), stored, power)
+            forget_change(colony, 0)
+    else:
+        _store(colony, 0, colony.stored.size, stored, power)
+        colony.background[0] = stored
+        forget_changes(colony)
+    colony.stale_count[0] = 0
+
+
+@compiled
+def _store(colony: Any, first: Any, past: Any, stored: Any, power: Any) -> None:
+    for edge in range(first, past):
+        colony.stored[edge] = stored
+        colony.weight[edge] = power * colony.desirability[edge]
+
+
+@compiled
+def without(colony: Any) -> None:
+    """Have no background, and bring the weights up to date with what is stored now."""
+    colony.background[0] = NONE
+    weigh_all(colony)
+
+
+@compiled
+def into_bounds(level: Any, lowest: Any, highest: Any) -> Any:
+    """Return a level, or the bound that it is beyond."""
+    if level < lowest:
+        return lowest
+    return highest if level > highest else level
+
+
+@compiled
+def clamp_changed(colony: Any, lowest: Any, highest: Any, scale: Any) -> None:
+    """Go over to another scale, and bring all levels but the background's into [lowest, highest].
+
+    What is stored as the background stays as it is, so its level follows the scale; all others keep theirs.
+    """
+    former, power = colony.scale[0], colony.background[0] ** colony.alpha
+    growth = former / scale
+    growth_to_alpha = growth**colony.alpha
+    colony.scale[0] = scale
+    place = 0
+    while place < colony.changed_count[0]:
+        patch = np.int64(colony.changed[place])
+        differs = False
+        for edge in range(patch * PATCH, past_edge(colony, patch)):
+            if colony.stored[edge] != colony.background[0]:
+                _clamp(colony, edge, lowest, highest, former, growth, growth_to_alpha)
+                differs = True
+        if differs:
+            place += 1
+        else:
+            _store(colony, patch * PATCH, past_edge(colony, patch), colony.background[0], power)
+            forget_change(colony, place)
+
+
+@compiled
+def _clamp(
+    colony: Any, edge: Any, lowest: Any, highest: Any, former: Any, growth: Any, growth_to_alpha: Any
+) -> None:
+    """Bring the level of an edge, until now of the former scale, into the limits."""
+    before = colony.stored[edge] * former
+    after = into_bounds(before, lowest, highest)
+    if after == before and colony.weight[edge] * growth_to_alpha >= SMALLEST_EXACT:
+        colony.stored[edge] *= growth
+        colony.weight[edge] *= growth_to_alpha
+        return
+    at_background = after == colony.background[0] * colony.scale[0]
+    colony.stored[edge] = colony.background[0] if at_background else after / colony.scale[0]
+    if not waits(colony, edge):
+        weigh(colony, edge)
