@@ -8,16 +8,18 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
-from acoexp.compare import render
 from acoexp.compare.configuration import Configuration, parse_configurations
 from acoexp.compare.measures import Row, Sample, configuration_row, pair_rows
-from acoexp.compare.tables import number, tables_of
+from acoexp.compare.render import as_html, as_latex, as_markdown
+from acoexp.compare.tables import tables_of
 from acoexp.errors import AcoexpError, SettingsError, shown
 from acoexp.grid.grid import Grid
 from acoexp.parameters import parameter
 from acoexp.registry.parts import build_part
 from acoexp.report.context import Context
+from acoexp.report.render import as_csv, as_json
 from acoexp.report.report import Report
+from acoexp.report.table import number
 from acoexp.trial.seeds import parse_seeds
 
 _TITLE = "Comparison of ant colonies"
@@ -81,12 +83,12 @@ class Compare(Report):
         draw_curves(samples, folder)
         svg = (folder / "curves.svg").read_text(encoding="utf-8")
         texts = {
-            "index.html": render.as_html(_TITLE, lead, tables, svg),
-            "report.md": render.as_markdown(_TITLE, lead, tables, "curves.svg"),
-            "tables.tex": render.as_latex(tables),
-            "cells.csv": render.as_csv(features),
-            "pairs.csv": render.as_csv(pairs),
-            "report.json": render.as_json({**self._origin(compared, grids), "cells": features, "pairs": pairs}),
+            "index.html": as_html(_TITLE, lead, tables, svg),
+            "report.md": as_markdown(_TITLE, lead, tables, "curves.svg"),
+            "tables.tex": as_latex(tables),
+            "cells.csv": as_csv(features),
+            "pairs.csv": as_csv(pairs),
+            "report.json": as_json({**self._origin(compared, grids), "cells": features, "pairs": pairs}),
         }
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8")

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 from html.parser import HTMLParser
 
 import pytest
 from markdown_it import MarkdownIt
 
-from acoexp.compare.render import as_csv, as_html, as_json, as_latex, as_markdown
-from acoexp.compare.tables import Table
+from acoexp.compare.render import as_html, as_latex, as_markdown
+from acoexp.report.table import Table
 
 TABLE = Table("Odd", "5 % & more", ["cell", "p"], [["a|b_c", "< 0.001"], ["1 ± 2", "∞"]])
 
@@ -33,12 +30,6 @@ def test_latex() -> None:
     assert "a|b\\_c & $<$ 0.001 \\\\" in text
     assert "1 $\\pm$ 2 & $\\infty$ \\\\" in text
     assert text.index("\\toprule") < text.index("\\midrule") < text.index("\\bottomrule")
-
-
-def test_rows_say_where_there_is_no_value() -> None:
-    rows = [{"cell": "a,b", "x": float("nan"), "y": float("inf"), "z": 0.1}]
-    assert as_csv(rows) == 'cell,x,y,z\n"a,b",,inf,0.1\n'
-    assert json.loads(as_json(rows)) == [{"cell": "a,b", "x": None, "y": "inf", "z": 0.1}]
 
 
 def test_a_page_in_markdown_leads_to_its_picture() -> None:
@@ -76,11 +67,6 @@ def texts_of(html: str) -> list[str]:
     parser.handle_data = found.append  # type: ignore[method-assign]
     parser.feed(html)
     return found
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_a_name_is_read_as_it_is_in_csv(name: str) -> None:
-    assert list(csv.DictReader(io.StringIO(as_csv([{"map": name}])))) == [{"map": name}]
 
 
 @pytest.mark.parametrize(

@@ -7,13 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from acoexp.compare.render import as_json, as_latex, markdown_table, markdown_text
+from acoexp.compare.render import as_latex
 from acoexp.errors import MapError, SettingsError
 from acoexp.grid.grid import Grid
 from acoexp.maps.file import MapFile
 from acoexp.parameters import parameter
 from acoexp.registry.load_map import load_map
 from acoexp.report.context import Context
+from acoexp.report.progress import shown_progress
+from acoexp.report.render import as_json, markdown_table, markdown_text
 from acoexp.report.report import Report
 from acoexp_paper.claims.catalogue import CLAIMS
 from acoexp_paper.claims.findings import Findings
@@ -24,7 +26,6 @@ from acoexp_paper.page.records import count_verdicts, records
 from acoexp_paper.page.render import as_csv, as_html, as_markdown
 from acoexp_paper.published.tables import ENVIRONMENTS
 from acoexp_paper.trials.experiment import Experiment
-from acoexp_paper.trials.progress import shown_progress
 from acoexp_paper.trials.readings import trials_of_readings
 
 

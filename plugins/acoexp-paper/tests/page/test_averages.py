@@ -10,7 +10,7 @@ from acoexp_paper.page.averages import averages, trial_tables
 from acoexp_paper.page.document import Document, Section, tables_in
 from acoexp_paper.trials.experiment import Experiment
 
-from acoexp.compare.tables import Table
+from acoexp.report.table import Table
 
 
 def trial_table(experiment: Experiment, name: str) -> Table:

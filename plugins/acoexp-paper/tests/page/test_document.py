@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from acoexp_paper.page.document import Document, Heading, Numbers, Section, Text, tables_in
 
-from acoexp.compare.tables import Table
+from acoexp.report.table import Table
 
 
 def test_tables_are_found_in_all_sections_by_the_names_of_their_files() -> None:

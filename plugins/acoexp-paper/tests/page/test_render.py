@@ -6,7 +6,7 @@ import pytest
 from acoexp_paper.page.document import Bullets, Document, Figure, Heading, Numbers, Section, Text
 from acoexp_paper.page.render import as_csv, as_html, as_markdown
 
-from acoexp.compare.tables import Table
+from acoexp.report.table import Table
 
 TABLE = Table("Claims.", "a < b", ["claim", "verdict"], [["x, y", "holds"], ["z", "0.12 [0.10, 0.14]"]])
 DOCUMENT = Document(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from acoexp.compare.measures import Sample
-from acoexp.compare.tables import Table
+from acoexp.report.table import Table
 from acoexp_paper.claims.averages import Average
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.means import mean

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from acoexp.compare.tables import Table, interval, p_value
+from acoexp.report.table import Table, interval, p_value
 from acoexp_paper.claims.kinds import Finding
 from acoexp_paper.claims.verdicts import Judged
 from acoexp_paper.page.document import Block, Numbers, Text

@@ -7,7 +7,8 @@ from dataclasses import replace
 from importlib.metadata import version
 
 from acoexp.compare.measures import configuration_row
-from acoexp.compare.tables import Table, success_table
+from acoexp.compare.tables import success_table
+from acoexp.report.table import Table
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.page.averages import averages, trial_tables
 from acoexp_paper.page.claims import claims

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from acoexp.compare.tables import Table
+from acoexp.report.table import Table
 
 
 class Text(NamedTuple):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from acoexp.compare.tables import Table
 from acoexp.grid.grid import Grid
+from acoexp.report.table import Table
 from acoexp_paper.page.document import Block, Bullets, Heading, Numbers, Text
 from acoexp_paper.page.formats import number
 from acoexp_paper.published.audit import EQUATIONS, Recomputed, contradictions, impossible_rows, recomputed

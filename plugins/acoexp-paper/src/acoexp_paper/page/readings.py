@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from acoexp.compare.tables import Table
+from acoexp.report.table import Table
 from acoexp_paper.claims.averages import Average
 from acoexp_paper.claims.findings import Findings, Outcome
 from acoexp_paper.claims.kinds import Claim

@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping
 from html import escape
 from importlib.resources import files
 
-from acoexp.compare.render import html_table, markdown_table, markdown_text
-from acoexp.compare.tables import Table
+from acoexp.report.render import html_table, markdown_table, markdown_text
+from acoexp.report.table import Table
 from acoexp_paper.claims.verdicts import DEPENDS, FAILS, HOLDS, OPPOSITE
 from acoexp_paper.page.document import Block, Bullets, Document, Figure, Heading, Numbers, Section, Text
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from acoexp.compare.tables import interval
+from acoexp.report.table import interval
 from acoexp_paper.claims.averages import Average
 from acoexp_paper.claims.findings import Findings, Outcome
 from acoexp_paper.claims.kinds import Claim

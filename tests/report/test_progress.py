@@ -5,8 +5,8 @@ from __future__ import annotations
 import logging
 
 import pytest
-from acoexp_paper.trials.progress import shown_progress
 
+from acoexp.report.progress import shown_progress
 from acoexp.runs import batch
 
 
