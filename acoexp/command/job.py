@@ -18,10 +18,11 @@ from omegaconf import DictConfig, OmegaConf
 from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
 from acoexp.command.options.quoting import literal
+from acoexp.command.reporting import Asked, asked_report
 from acoexp.command.results.contents import batch_record, trial_record
 from acoexp.command.results.paths import write_path
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
-from acoexp.command.results.table import print_report, print_trial
+from acoexp.command.results.table import print_trial
 from acoexp.command.results.watch import Watched, watching
 from acoexp.console.ending import FAILED, print_error, said_of
 from acoexp.console.whole import whole_file, write_whole
@@ -29,10 +30,8 @@ from acoexp.errors import AcoexpError, SettingsError, StoreGoneError, StrategyEr
 from acoexp.grid.grid import Grid
 from acoexp.parameters import build, fields_of
 from acoexp.registry.load_map import load_map
-from acoexp.registry.parts import build_part
 from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
-from acoexp.report.report import Report
 from acoexp.runs.batch import keep_batch, kept_trials
 from acoexp.runs.trial import keep_trial
 from acoexp.tracking.mlflow.masking import masked
@@ -79,7 +78,7 @@ class Job:
         seeds: The seeds of a batch, or None for a single trial.
         tracker: Where its results go.
         setup: What its trials are of.
-        report: The report that is asked for, or None.
+        report: The report that is asked for, with its folder, or None.
 
     Raises:
         AcoexpError, OmegaConfBaseException: if anything in it is wrong; nothing has been written then.
@@ -116,8 +115,8 @@ class Job:
 
     def _run_in(self, folder: Path, alone: bool) -> float:
         if self.report is not None:
-            reports = Path("outputs/reports") if alone else folder
-            return self._write_report(self.report, reports / self.config["report"]["name"])
+            self.report.write(self._context(self.report, self.report.place(folder)))
+            return math.nan
         address = str(self._mapping("tracking").get("uri", ""))
         write_whole(folder / "config.yaml", masked(OmegaConf.to_yaml(literal(self.config)), address))
         if self.seeds is None:
@@ -158,12 +157,7 @@ class Job:
         lengths = batch.table["l1"]
         return math.inf if np.isnan(lengths).any() else float(lengths.mean())
 
-    def _write_report(self, report: Report, folder: Path) -> float:
-        written = report.write(self._context(folder))
-        print_report(written, report.headline(written))
-        return math.nan
-
-    def _context(self, folder: Path) -> Context:
+    def _context(self, asked: Asked, folder: Path) -> Context:
         algo, keys = self.config["algo"], self.keys
         return Context(
             algo=algo,
@@ -173,7 +167,7 @@ class Job:
             folder=folder,
             trials_of=partial(kept_trials, tracker=self.tracker, threads=keys.threads, resume=keys.resume),
             made_by={
-                "report": self.config["report"],
+                "report": asked.given,
                 "settings": self.setup.settings.as_dict(),
                 "map": [self.setup.grid.name, self.setup.grid.digest],
             },
@@ -203,21 +197,17 @@ class Job:
         parameters = dict(config)
         return load_map(parameters.pop("name", None), **parameters)
 
-    def _report(self) -> Report | None:
+    def _report(self) -> Asked | None:
         """Return the report that was asked for, checked, or None."""
-        parameters = dict(self._mapping("report"))
-        name = parameters.pop("name", None)
-        if name == "none":
-            for key in parameters:
-                raise SettingsError(f"report.{key} is not a known key of report=none")
+        asked = asked_report(self._mapping("report"))
+        if asked is None:
             return None
-        report: Report = build_part("report", name, parameters)
         if self.seeds is not None:
             raise SettingsError(
                 f"seeds: expected none with a report, which has keys of its own; got {self.config['seeds']!r}"
             )
-        report.check(self._context(Path()))
-        return report
+        asked.report.check(self._context(asked, Path()))
+        return asked
 
     def _mapping(self, key: str) -> Mapping[str, Any]:
         value = self.config.get(key)

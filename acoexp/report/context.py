@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import logging
 import os
@@ -18,14 +17,12 @@ from typing import Any
 from acoexp.console.whole import whole_folder
 from acoexp.grid.grid import Grid
 from acoexp.parameters import values_of
+from acoexp.report.folder import MADE_BY, is_empty, is_made_by, write_mark
 from acoexp.trial.seeds import Seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.trials import Trials
 
 log = logging.getLogger(__name__)
-
-MADE_BY = ".made-by.json"
-"""File in a report's folder: by which settings it was made, and what it consists of."""
 
 Count = Callable[[int], None]
 """Called with the number of trials that are finished, now and then."""
@@ -40,7 +37,7 @@ class Context:
         preset: That preset's settings, when nothing else is said.
         settings: The command line's settings, resolved.
         grid: Its map.
-        folder: Where the report goes, ``outputs/reports/<name>``.
+        folder: Where the report goes, ``outputs/reports/<name>`` unless somebody says otherwise.
         trials_of: Returns the trials of settings on a map with some seeds; they are kept, and what was kept before
             is taken from there.
         show: Called with a configuration's name and its number of finished trials while it runs.
@@ -94,11 +91,27 @@ class Context:
         with whole_folder(self.folder, keep) as draft:
             yield draft
             if self.made_by is not None:
-                mark = {"made by": self._made_by, "files": _digests(draft)}
-                (draft / MADE_BY).write_text(json.dumps(mark, sort_keys=True) + "\n", encoding="utf-8")
+                write_mark(draft, self._made_by)
+        self._say_what_is_kept(keep)
+
+    @contextmanager
+    def place(self) -> Iterator[None]:
+        """Make place for a report that is written straight to ``folder``, and mark what was written there.
+
+        What :meth:`draft` would keep beside it is put there before, and back if nothing takes its place.
+        """
+        keep = self._keep()
         if keep is not None:
-            said = "the report that was in %s is of other settings, or was changed since, and is kept: %s"
-            log.info(said, self.folder, keep)
+            self.folder.rename(keep)
+        try:
+            yield
+        finally:
+            if keep is not None and not os.path.lexists(self.folder):
+                keep.rename(self.folder)
+            else:
+                self._say_what_is_kept(keep)
+        if self.made_by is not None and self.folder.is_dir() and not is_made_by(self.folder, self._made_by):
+            write_mark(self.folder, self._made_by)
 
     @property
     def _made_by(self) -> Any:
@@ -106,43 +119,21 @@ class Context:
         return json.loads(json.dumps(self.made_by, default=str))
 
     def _keep(self) -> Path | None:
-        """Return where the report that is there is to be kept; None if this one may replace it."""
+        """Return where what is there is to be kept; None if the report may replace it."""
         mark = self.folder / MADE_BY
         if self.made_by is None or not os.path.lexists(self.folder):
             return None
-        if self._is_replaceable(mark):
+        if is_empty(self.folder) or is_made_by(self.folder, self._made_by):
             return None
-        made = datetime.fromtimestamp((mark if mark.is_file() else self.folder).lstat().st_mtime)
+        made = datetime.fromtimestamp((mark if os.path.lexists(mark) else self.folder).lstat().st_mtime)
         name = f"{self.folder.name}-{made:%Y-%m-%d-%H-%M-%S}"
         names = (self.folder.with_name(name if number == 1 else f"{name}-{number}") for number in count(1))
         return next(path for path in names if not os.path.lexists(path))
 
-    def _is_replaceable(self, mark: Path) -> bool:
-        """Tell whether the report that is there is of the same settings, and nothing else is in its folder."""
-        try:
-            said = json.loads(mark.read_bytes())
-            others = _digests(self.folder).items() - said["files"].items()
-            same = said["made by"] == self._made_by
-        except (OSError, ValueError, TypeError, KeyError, AttributeError):
-            return False
-        return bool(same and not others)
-
-
-def _digests(folder: Path) -> dict[str, str]:
-    """Return a digest of each file in a report's folder, by its path there; folders and links have none."""
-    files = (
-        path for path in folder.rglob("*") if path.name != MADE_BY and (path.is_symlink() or not path.is_dir())
-    )
-    return {
-        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
-        if _is_plain(path)
-        else ""
-        for path in files
-    }
-
-
-def _is_plain(path: Path) -> bool:
-    return path.is_file() and not path.is_symlink()
+    def _say_what_is_kept(self, keep: Path | None) -> None:
+        if keep is not None:
+            said = "the report that was in %s is of other settings, or was changed since, and is kept: %s"
+            log.info(said, self.folder, keep)
 
 
 def _changed(values: Any, defaults: Any) -> dict[str, Any]:

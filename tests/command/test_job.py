@@ -194,9 +194,7 @@ class Note(Report):
         return context.folder
 
 
-@pytest.mark.parametrize(
-    ("mode", "folder"), [(RunMode.RUN, "outputs/reports/compare"), (RunMode.MULTIRUN, "job/compare")]
-)
+@pytest.mark.parametrize(("mode", "folder"), [(RunMode.RUN, "job/compare"), (RunMode.MULTIRUN, "job/compare")])
 def test_a_report_works_on_what_the_command_line_says_and_is_no_number(
     made: Callable[..., Job],
     monkeypatch: pytest.MonkeyPatch,
@@ -205,7 +203,7 @@ def test_a_report_works_on_what_the_command_line_says_and_is_no_number(
     folder: str,
     tmp_path: Path,
 ) -> None:
-    monkeypatch.setattr("acoexp.command.job.build_part", lambda group, name, parameters: Note())
+    monkeypatch.setattr("acoexp.command.reporting.build_part", lambda group, name, parameters: Note())
     assert math.isnan(made("report=compare", *QUICK, mode=mode).run())
     assert (tmp_path / folder / "note").read_text("utf-8") == "aco {'ants': 2, 'iterations': 3} 3"
     out, _ = capsys.readouterr()

@@ -162,3 +162,67 @@ def test_where_nobody_asks_by_what_a_report_was_made_it_is_replaced(tmp_path: Pa
     for page in ("first", "second"):
         write(tmp_path / "mine", page, None)
     assert listing(tmp_path) == {"mine", "mine/page"}
+
+
+def test_an_empty_folder_is_taken(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level("INFO")
+    (tmp_path / "mine").mkdir()
+    write(tmp_path / "mine", "first", {"map": "yard"})
+    assert pages(tmp_path) == {"mine": "first"}
+    assert caplog.messages == []
+
+
+@pytest.mark.parametrize("kind", ["file", "link"])
+def test_what_is_no_folder_is_kept_like_a_report(kind: str, tmp_path: Path) -> None:
+    mine = tmp_path / "mine"
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "elsewhere" / "notes").touch()
+    mine.touch() if kind == "file" else mine.symlink_to("elsewhere")
+    write(mine, "new", {"map": "yard"})
+    assert (mine / "page").read_text("utf-8") == "new"
+    (kept,) = tmp_path.glob("mine-*")
+    assert kept.is_symlink() == (kind == "link")
+    assert listing(tmp_path / "elsewhere") == {"notes"}
+
+
+# --- a report that writes straight to its folder
+
+
+def write_straight(folder: Path, page: str, made_by: dict[str, Any] | None) -> None:
+    """Write a report without a draft, as one may that knows nothing of them."""
+    made = context(folder=folder, made_by=made_by)
+    with made.place():
+        made.folder.mkdir(parents=True, exist_ok=True)
+        (made.folder / "page").write_text(page, encoding="utf-8")
+
+
+def test_a_report_that_is_written_straight_replaces_its_like_and_keeps_others(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level("INFO")
+    for page in ("first", "second"):
+        write_straight(tmp_path / "mine", page, {"map": "yard"})
+    assert (pages(tmp_path), caplog.messages) == ({"mine": "second"}, [])
+    made_in_2024(tmp_path / "mine")
+    write_straight(tmp_path / "mine", "third", {"map": "garden"})
+    assert pages(tmp_path) == {"mine": "third", "mine-2024-05-01-12-30-15": "second"}
+    assert len(caplog.messages) == 1
+    write(tmp_path / "mine", "fourth", {"map": "garden"})
+    assert pages(tmp_path)["mine"] == "fourth"
+
+
+def test_if_it_fails_before_it_writes_nothing_has_moved(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level("INFO")
+    write_straight(tmp_path / "mine", "old", {"map": "yard"})
+    with pytest.raises(KeyboardInterrupt), context(folder=tmp_path / "mine", made_by={}).place():
+        raise KeyboardInterrupt
+    assert (pages(tmp_path), caplog.messages) == ({"mine": "old"}, [])
+
+
+def test_if_it_fails_halfway_the_old_one_is_kept(tmp_path: Path) -> None:
+    write_straight(tmp_path / "mine", "old", {"map": "yard"})
+    made_in_2024(tmp_path / "mine")
+    with pytest.raises(KeyboardInterrupt), context(folder=tmp_path / "mine", made_by={}).place():  # noqa: PT012
+        (tmp_path / "mine").mkdir()
+        raise KeyboardInterrupt
+    assert pages(tmp_path) == {"mine-2024-05-01-12-30-15": "old"}

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 from contextlib import suppress
-from datetime import datetime
 from pathlib import Path
-from secrets import token_hex
 from typing import Any, NamedTuple
 
 from hydra.core.override_parser.types import ChoiceSweep, Override
 
 from acoexp.command.options.flags import flags_parser, split_arguments, without_config_dir
+from acoexp.command.options.folders import own_folders
 from acoexp.command.options.keys import OPTIONS
 from acoexp.command.options.quoting import hydra_text
 from acoexp.command.options.reading import (
@@ -91,7 +90,7 @@ def normalise(argv: list[str]) -> Arguments:
     if flags.multirun:
         overrides = _defer_part_keys(overrides)
     # overrides first: an option with an optional value, such as --info, must not take one for its value
-    argv = [*overrides, *(_folders(overrides) if runs else ()), *without_config_dir(options)]
+    argv = [*overrides, *(own_folders(overrides) if runs else ()), *without_config_dir(options)]
     return Arguments(argv, flags.config_dir, flags.info, flags.cfg)
 
 
@@ -236,11 +235,3 @@ def _require_value(override: str) -> None:
         raise SettingsError(f"{override}: expected key=value")
     if key in OPTIONS and (value.lower() in ("", "null") or value[0] == "["):
         raise SettingsError(f"{key}: expected one of the options that --help lists; got {value!r}")
-
-
-def _folders(overrides: list[str]) -> list[str]:
-    """Return overrides that give this run or sweep a folder of its own, unless the user names one."""
-    stamp = f"{datetime.now():%Y-%m-%d/%H-%M-%S}-{token_hex(4)}"
-    folders = {"hydra.run.dir": f"outputs/runs/{stamp}", "hydra.sweep.dir": f"outputs/sweeps/{stamp}"}
-    named = {override.lstrip("+").partition("=")[0] for override in overrides}
-    return [f"{key}={folder}" for key, folder in folders.items() if key not in named]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from acoexp.colony.scalars import ColonySettings
-from acoexp.command.options.keys import JobKeys
+from acoexp.command.options.keys import JobKeys, ReportKeys
 from acoexp.console.parameters import described_parameters, in_columns, summary_of
 from acoexp.errors import StrategyError
 from acoexp.grid.field import FieldSettings
@@ -66,8 +66,10 @@ def _group(group: str) -> str:
         "map": "where the map comes from",
         "report": "what is made of the results",
     }
-    options = {"none": "No report"} if group == "report" else {}
-    return _section(group, about[group], options | {name: _describe(group, name) for name in part_names(group)})
+    options = {name: _describe(group, name) for name in part_names(group)}
+    if group == "report":
+        options = {"none": "No report", **options, **described_parameters(ReportKeys, "report.")}
+    return _section(group, about[group], options)
 
 
 def _describe(group: str, name: str) -> str:

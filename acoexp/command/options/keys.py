@@ -14,6 +14,15 @@ OPTIONS = (*GROUPS, "algo", "tracking", "engine")
 
 
 @dataclass(frozen=True, kw_only=True)
+class ReportKeys:
+    """What every report has beside its own keys."""
+
+    folder: str | None = parameter(
+        None, "folder that a report is written to; if null a report's name in outputs/reports, or in hydra.run.dir"
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
 class JobKeys:
     """What a job runs."""
 

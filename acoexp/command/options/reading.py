@@ -19,7 +19,7 @@ from omegaconf import OmegaConf
 from omegaconf.errors import GrammarParseError
 
 from acoexp.colony.scalars import ColonySettings
-from acoexp.command.options.keys import OPTIONS, JobKeys
+from acoexp.command.options.keys import OPTIONS, JobKeys, ReportKeys
 from acoexp.command.options.quoting import hydra_text, shell_word
 from acoexp.command.options.tuning import SAMPLERS, TuningKeys
 from acoexp.errors import SettingsError, StrategyError, shown
@@ -34,6 +34,7 @@ _NOUNS = {bool: "true or false", int: "a number", float: "a number", list: "a li
 _OWNERS: dict[str, tuple[type, ...]] = {
     "": (JobKeys, ColonySettings),
     "field": (FieldSettings,),
+    "report": (ReportKeys,),
     "tracking": tuple(TRACKING.values()),
     "hydra.sweeper": (TuningKeys,),
     "hydra.sweeper.sampler": tuple(SAMPLERS.values()),

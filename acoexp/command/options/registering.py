@@ -12,7 +12,7 @@ from hydra.plugins.search_path_plugin import SearchPathPlugin
 
 from acoexp.colony.scalars import ColonySettings
 from acoexp.command.options.help import help_text
-from acoexp.command.options.keys import JobKeys
+from acoexp.command.options.keys import JobKeys, ReportKeys
 from acoexp.command.options.sources import UserOptions
 from acoexp.command.options.tuning import register_tuning
 from acoexp.errors import SettingsError, StrategyError
@@ -36,7 +36,8 @@ def register_options(config_dir: str | None) -> None:
     )
     for group in GROUPS:
         for name in part_names(group):
-            store.store(group=group, name=name, node={"name": name, **_parameters(group, name)})
+            shared = _plain(ReportKeys) if group == "report" else {}
+            store.store(group=group, name=name, node={"name": name, **shared, **_parameters(group, name)})
     store.store(group="report", name="none", node={"name": "none"})
     for name, owner in TRACKING.items():
         store.store(group="tracking", name=name, node={"name": name, **_plain(owner)})

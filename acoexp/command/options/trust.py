@@ -16,7 +16,8 @@ _RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
 _PLAIN_REFERENCE = re.compile(r"\$\{[\w.\[\]-]*\}")
 _KEYWORDS = ("_global_", "_group_", "_here_", "_name_")
 """Words that Hydra replaces in a package. Within another word it cuts them out, and what is left counts."""
-_ADDRESS = re.compile(r"(^|[./@])tracking([./@].*)?$")
+_PLACES = {"tracking": "uri", "report": "folder"}
+"""Where results go, by the group and its key: only the command line says it."""
 
 
 def check_option(file: str, config_path: str, package: str, content: Any) -> None:
@@ -55,11 +56,15 @@ def check_option(file: str, config_path: str, package: str, content: Any) -> Non
                 f"{file}: expected plain values, or references such as ${{ants}}; an option file may not read the "
                 f"environment or files: got {text!r}"
             )
-    elsewhere = any(_ADDRESS.search(entry.partition("@")[2]) for entry in _defaults(content))
-    if elsewhere or _sets_address(content, bool(_ADDRESS.search(package or config_path.rpartition("/")[0]))):
-        raise HydraException(
-            f"{file}: expected no tracking.uri; where results go is said on the command line: tracking.uri=..."
-        )
+    for group, key in _PLACES.items():
+        there = re.compile(rf"(^|[./@]){group}([./@].*)?$")
+        elsewhere = any(there.search(entry.partition("@")[2]) for entry in _defaults(content))
+        within = bool(there.search(package or config_path.rpartition("/")[0]))
+        if elsewhere or _sets_place(content, group, key, within):
+            raise HydraException(
+                f"{file}: expected no {group}.{key}; where results go is said on the command line: "
+                f"{group}.{key}=..."
+            )
 
 
 def _is_plain(word: str) -> bool:
@@ -107,13 +112,13 @@ def _texts(content: Any) -> Iterator[str]:
         yield content
 
 
-def _sets_address(content: Any, within: bool) -> bool:
-    """Tell whether a file sets ``uri`` within ``tracking``."""
+def _sets_place(content: Any, group: str, key: str, within: bool) -> bool:
+    """Tell whether a file sets a key within its group."""
     if not isinstance(content, dict):
         return False
     return any(
-        (within and str(key) == "uri")
-        or re.fullmatch(r"tracking\.uri", str(key)) is not None
-        or _sets_address(value, within or str(key) == "tracking")
-        for key, value in content.items()
+        (within and str(name) == key)
+        or str(name) == f"{group}.{key}"
+        or _sets_place(value, group, key, within or str(name) == group)
+        for name, value in content.items()
     )

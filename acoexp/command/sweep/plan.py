@@ -22,7 +22,7 @@ from acoexp.command.job import Job
 from acoexp.command.options.quoting import hydra_text, literal
 from acoexp.command.options.sources import remember_options
 from acoexp.command.results.contents import found_record
-from acoexp.errors import SettingsError
+from acoexp.errors import SettingsError, shown
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import Tracker
 from acoexp.trial.seeds import Seeds, check_seed
@@ -85,6 +85,8 @@ class Plan:
         self.trackers = {job.tracker.where: job.tracker for job in self.jobs.values()}
         self.where = ", ".join(self.trackers)
         self.has_reports = any(job.report is not None for job in self.jobs.values())
+        if self.has_reports and told is None:
+            self._check_report_folders()
 
     def is_kept(self) -> bool:
         """Tell whether a quick look shows that every trial is in its store, which then need not be made ready."""
@@ -123,6 +125,24 @@ class Plan:
                 left.known.append(found_record(job.setup, seeds, run))
                 left = left._replace(found=left.found + job.trials)
         return left
+
+    def _check_report_folders(self) -> None:
+        """Refuse a folder that several jobs would write their reports to.
+
+        Raises:
+            SettingsError: if there is one.
+        """
+        seen = set[str]()
+        for _, job, _ in self._each():
+            folder = None if job.report is None else job.report.folder
+            if folder is None:
+                continue
+            if os.path.realpath(folder) in seen:
+                raise SettingsError(
+                    "report.folder: expected one for each job of a sweep, such as 'report.folder=\"out/${rho}\"'; "
+                    f"got {shown(str(folder))} for several"
+                )
+            seen.add(os.path.realpath(folder))
 
     def _each(self) -> Iterator[tuple[Overrides, Job, int | Seeds]]:
         """Yield what each job of the sweep is told, its checked configuration, and its seed or seeds."""

@@ -55,6 +55,11 @@ def test_help_names_every_key(page: str, key: str) -> None:
     assert f" {key} " in page or f"\n{key} " in page
 
 
+def test_help_names_the_key_that_all_reports_have(page: str) -> None:
+    lines = [line for line in section(page, "report").splitlines() if line.split()[:1] == ["report.folder"]]
+    assert len(lines) == 1
+
+
 def test_help_names_all_values_of_a_key_that_has_few(page: str) -> None:
     assert "[edges, or cells]" in section(page, "keys")
     assert "[force_edge, or walked_edge, sum_in, mean_out, max_out]" in section(page, "diffusion")

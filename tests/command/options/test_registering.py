@@ -50,7 +50,8 @@ def test_each_part_is_an_option_with_its_parameters_and_their_defaults(hydra: No
     for name in part_names(group):
         defaults = defaults_of(find_part(group, name))
         plain = {key: list(value) if isinstance(value, tuple) else value for key, value in defaults.items()}
-        assert option(group, name) == {"name": name, **plain}
+        shared = {"folder": None} if group == "report" else {}
+        assert option(group, name) == {"name": name, **shared, **plain}
 
 
 def test_there_may_be_no_report_and_no_tracking(hydra: None) -> None:

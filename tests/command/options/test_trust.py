@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -140,11 +141,15 @@ def test_a_resolver_could_read_the_environment_and_is_refused_as_value_and_as_ke
         ("uri: x\n", "study/mine", "_global_.tracking"),
         ("uri: x\n", "tracking/mine", ""),
         ("defaults:\n  - /other@tracking: address\n", "study/mine", "_global_"),
+        ("report:\n  folder: x\n", "study/mine", "_global_"),
+        ("report.folder: x\n", "study/mine", "_global_"),
+        ("folder: x\n", "report/mine", ""),
         ("defaults:\n  - address@_global_.tracking\n", "study/mine", "_global_"),
     ],
 )
 def test_where_results_go_is_for_the_command_line_to_say(content: str, path: str, package: str) -> None:
-    assert refusal(content, path, package).startswith("no tracking.uri; where results go is said on the command")
+    said = "no (tracking.uri|report.folder); where results go is said on the command line: "
+    assert re.match(said, refusal(content, path, package))
 
 
 def test_whether_results_are_tracked_an_option_may_say() -> None:
