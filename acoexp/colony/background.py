@@ -10,12 +10,33 @@ from typing import Any
 
 import numpy as np
 
+from acoexp.colony.changes import (
+    PATCH,
+    SMALLEST_EXACT,
+    forget_change,
+    forget_changes,
+    past_edge,
+    waits,
+    weigh,
+    weigh_all,
+)
 from acoexp.colony.compiled import compiled
-from acoexp.colony.patches import PATCH, forget_change, forget_changes, past_edge
-from acoexp.colony.weights import SMALLEST_EXACT, waits, weigh, weigh_all
 
 NONE = -1.0
 """The background where there is none, as levels differ from edge to edge: no edge has it."""
+
+
+@compiled
+def reset(colony: Any, initial: Any) -> None:
+    """Give every edge its initial pheromone: float64[edges], or float64[1] for one level everywhere."""
+    highest = highest_of(initial)
+    colony.scale[0] = highest if highest > 0.0 else 1.0
+    if initial.size == 1 and highest > 0.0:
+        spread(colony, initial[0] / colony.scale[0])
+    else:
+        for edge in range(colony.stored.size):
+            colony.stored[edge] = initial[edge % initial.size] / colony.scale[0]
+        without(colony)
 
 
 @compiled
@@ -96,3 +117,12 @@ def _clamp(
     colony.stored[edge] = colony.background[0] if at_background else after / colony.scale[0]
     if not waits(colony, edge):
         weigh(colony, edge)
+
+
+@compiled
+def highest_of(values: Any) -> Any:
+    """Return the highest of some values, 0 if none is above it."""
+    highest = 0.0
+    for i in range(values.size):
+        highest = max(highest, values[i])
+    return highest

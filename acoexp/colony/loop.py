@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from acoexp.colony.background import reset
+from acoexp.colony.changes import refresh
 from acoexp.colony.compiled import compiled, compiled_for_python
-from acoexp.colony.orders import ORDERS
-from acoexp.colony.pheromone import reset
 from acoexp.colony.random import seed_stream
 from acoexp.colony.state import Kernel, Kernels
 from acoexp.colony.steps import idle
 from acoexp.colony.trails import copy_trail, leads_to_goal, read_cells, write_cells
-from acoexp.colony.weights import refresh
+from acoexp.colony.walk import Order
 
 NO_PATH = -1
 """What the loop returns if a choice made moves that are not allowed."""
@@ -29,15 +29,15 @@ STOPPED = -2
 """What the loop returns if it was told to stop."""
 
 
-def make_loop(order: str, steps_back: bool, kernels: Kernels) -> Kernel:
+def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
     """Return the loop over these kernels, its ants walking in this order, compiled at its first call.
 
     It takes ``(room, record, seed)``: what it works on, a :class:`~acoexp.colony.state.Room`; the record to fill;
     the seed, uint64. It returns 0; or the cycle in which the post-optimiser returned what is no path; or
     ``NO_PATH``, ``STOPPED``, ``UNSOUND``.
     """
-    walk_together, walk = ORDERS[order].walk(kernels.choice, kernels.diffusion, steps_back)
-    begin_facing, close_facing = ORDERS[order].facing(kernels.update)
+    walk_together, walk = order.walk(kernels.choice, kernels.diffusion, steps_back)
+    begin_facing, close_facing = order.facing(kernels.update)
     polish = idle if kernels.post is None else _polish_by(kernels.post)
     update = kernels.update
 

@@ -16,10 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from acoexp.colony.background import clamp_changed, into_bounds, spread, without
+from acoexp.colony.background import clamp_changed, highest_of, into_bounds, without
+from acoexp.colony.changes import SMALLEST_EXACT, let_wait, note_change, waits, weigh, weigh_all
 from acoexp.colony.compiled import compiled
-from acoexp.colony.patches import note_change
-from acoexp.colony.weights import SMALLEST_EXACT, let_wait, waits, weigh, weigh_all
 
 HIGHEST_POWER = 1e90
 """Bound of stored^alpha."""
@@ -120,19 +119,6 @@ def lay(colony: Any, trails: Any, ant: Any, amount: Any) -> None:
 
 
 @compiled
-def reset(colony: Any, initial: Any) -> None:
-    """Give every edge its initial pheromone: float64[edges], or float64[1] for one level everywhere."""
-    highest = _highest(initial)
-    colony.scale[0] = highest if highest > 0.0 else 1.0
-    if initial.size == 1 and highest > 0.0:
-        spread(colony, initial[0] / colony.scale[0])
-    else:
-        for edge in range(colony.stored.size):
-            colony.stored[edge] = initial[edge % initial.size] / colony.scale[0]
-        without(colony)
-
-
-@compiled
 def _store(colony: Any, edge: Any, stored: Any) -> None:
     """Set an edge's stored value and its weight, unless that waits for an update's end anyway."""
     if not stored >= 0.0:
@@ -171,13 +157,13 @@ def _share(colony: Any, edge: Any, later: Any) -> None:
 @compiled
 def _normalise(colony: Any) -> None:
     """Bring what is stored to at most 1, all levels staying as they are."""
-    _rescale(colony, _highest(colony.stored))
+    _rescale(colony, highest_of(colony.stored))
 
 
 @compiled
 def _raise_scale(colony: Any, amount: Any) -> None:
     """Make room for an amount that would overflow: scale such that it is stored as 1."""
-    _rescale(colony, max(amount / colony.scale[0], _highest(colony.stored)))
+    _rescale(colony, max(amount / colony.scale[0], highest_of(colony.stored)))
 
 
 @compiled
@@ -197,11 +183,3 @@ def _clear(colony: Any) -> None:
         colony.stored[edge] = 0.0
     colony.scale[0] = 1.0
     without(colony)
-
-
-@compiled
-def _highest(values: Any) -> Any:
-    highest = 0.0
-    for i in range(values.size):
-        highest = max(highest, values[i])
-    return highest

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from acoexp.colony.changes import note_change
 from acoexp.colony.compiled import compiled
-from acoexp.colony.patches import note_change
 
 
 @compiled

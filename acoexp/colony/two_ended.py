@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from acoexp.colony.background import reset
+from acoexp.colony.changes import refresh
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import reset
 from acoexp.colony.state import Kernel
 from acoexp.colony.steps import came_by, idle, is_allowed, leaves
 from acoexp.colony.tabu import forget, touch
 from acoexp.colony.trails import copy_trail, measure
-from acoexp.colony.weights import refresh
 
 AT_START, AT_GOAL = 0, 1
 """Rows of what a pair remembers."""

@@ -13,7 +13,7 @@ search that Liu et al. 2017 cite (Wang et al. 2008).
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,8 +23,23 @@ from acoexp.colony.steps import came_by, idle, is_allowed, leaves
 from acoexp.colony.tabu import forget, touch
 from acoexp.colony.trails import measure
 
-Walk = Callable[[Kernel, Kernel, bool], tuple[Kernel, Kernel]]
-"""Makes the two kernels of choice, diffusion, and whether ants step back."""
+
+def at_one_end(update: Kernel) -> tuple[Kernel, Kernel]:
+    """Return what begins and what closes the cycles of a second colony, where there is none."""
+    return idle, idle
+
+
+class Order(NamedTuple):
+    """An order in which the ants of a cycle walk.
+
+    Attributes:
+        walk: Makes the two kernels of choice, diffusion, and whether ants step back.
+        facing: Makes two kernels of the one that updates: ``begin(room)``, called when a trial begins, and
+            ``close(room)``, called after each update; they see to a second colony, if there is one.
+    """
+
+    walk: Callable[[Kernel, Kernel, bool], tuple[Kernel, Kernel]]
+    facing: Callable[[Kernel], tuple[Kernel, Kernel]] = at_one_end
 
 
 def in_turn(choose: Kernel, diffuse: Kernel, steps_back: bool) -> tuple[Kernel, Kernel]:

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sized
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from copy import copy
-from functools import lru_cache
+from functools import cache
 from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
+from acoexp.colony.orders import ORDERS
 from acoexp.colony.problem import Problem
-from acoexp.colony.state import Kernels, Record, Room, Trails
+from acoexp.colony.state import Kernel, Kernels, Record, Room, Trails
 from acoexp.errors import AcoexpError, SettingsError, StrategyError, shown
 from acoexp.grid.grid import Grid
 from acoexp.kernels.cache import compile_once
@@ -27,7 +28,11 @@ from acoexp.trial.settings import Settings
 from acoexp.trial.threads import check_threads
 from acoexp.trial.workspace import End, Workspace, new_record, new_workspace
 
-_loop = lru_cache(maxsize=None)(make_loop)
+
+@cache
+def loop_of(order: str, steps_back: bool, kernels: Kernels) -> Kernel:
+    """Return the loop over some kernels, one object however many solvers run it."""
+    return make_loop(ORDERS[order], steps_back, kernels)
 
 
 class Solver:
@@ -37,7 +42,7 @@ class Solver:
         self.settings = settings
         self._kernels = Kernels(**{group: settings.parts[group].kernel for group in Kernels._fields})
         self._walks = settings.scalars.order, settings.scalars.dead_end == "step_back"
-        self._loop = _loop(*self._walks, self._kernels)
+        self._loop = loop_of(*self._walks, self._kernels)
         self._prepare(grid)
         self._compile()
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.background import NONE
-from acoexp.colony.patches import patches
+from acoexp.colony.changes import patches
 from acoexp.colony.pheromone import HIGHEST_POWER
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import (

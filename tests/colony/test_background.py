@@ -14,8 +14,8 @@ from samples import colony_on, problem_on
 from acoexp import Grid
 from acoexp.colony import pheromone
 from acoexp.colony.background import NONE, into_bounds, spread, without
+from acoexp.colony.changes import refresh
 from acoexp.colony.state import Colony
-from acoexp.colony.weights import refresh
 
 GRID = Grid([[0] * 9] * 7)
 FAR = 50 * 8

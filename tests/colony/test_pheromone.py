@@ -13,9 +13,10 @@ from samples import colony_on, problem_on, trails_of
 
 from acoexp import Grid
 from acoexp.colony import pheromone
+from acoexp.colony.background import reset
+from acoexp.colony.changes import refresh
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Colony
-from acoexp.colony.weights import refresh
 from acoexp.trial.workspace import direction_offsets
 
 GRID = Grid([[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])
@@ -196,7 +197,7 @@ def test_reset_forgets_everything_to_the_last_bit(
     fresh = [array.copy() for array in parts]
     for step in steps:
         act(colony, model, *step)
-    pheromone.reset(colony, np.array([0.7]))
+    reset(colony, np.array([0.7]))
     for array, before in zip(parts, fresh, strict=True):
         assert (array == before).all()
     assert colony.stale_count[0] == colony.changed_count[0] == 0
@@ -205,7 +206,7 @@ def test_reset_forgets_everything_to_the_last_bit(
 def test_the_initial_pheromone_may_differ_from_edge_to_edge() -> None:
     colony, _ = some_colony(1.1)
     initial = np.random.default_rng(1).uniform(1.0, 2.0, colony.stored.size)
-    pheromone.reset(colony, initial)
+    reset(colony, initial)
     model = {edge: float(initial[edge]) for edge in EDGES}
     assert_levels(colony, model)
     assert_weights(colony, model)
@@ -241,7 +242,7 @@ def test_a_weight_that_underflowed_comes_back_with_the_pheromone() -> None:
 
 def test_a_very_large_amount_reaches_every_edge_of_a_path_alike() -> None:
     colony, _ = some_colony(1.1)
-    pheromone.reset(colony, np.array([1e-100]))
+    reset(colony, np.array([1e-100]))
     for _ in range(400):
         pheromone.evaporate(colony, 0.5)
     pheromone.lay(colony, trails_of(colony, WALKS[0]), 0, 1e100)

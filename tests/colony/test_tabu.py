@@ -7,7 +7,7 @@ import pytest
 from reference import moves_of
 from samples import colony_on, drawn, number_of, problem_on, trails_of
 
-from acoexp.colony.patches import PATCH
+from acoexp.colony.changes import PATCH
 from acoexp.colony.tabu import forget, is_open, touch
 
 E, NE, N, NW, W, SW, S, SE = range(8)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from reference import Cell, Colony, Pair, Path, length_of, moves_of
 
 from acoexp import Grid, Result
-from acoexp.colony.pheromone import reset
+from acoexp.colony.background import reset
 from acoexp.colony.problem import Problem
 from acoexp.colony.random import seed_stream
 from acoexp.colony.scalars import ColonySettings

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from samples import colony_on, drawn, number_of, problem_on, trails_of
 
 import acoexp
+from acoexp.colony.changes import refresh
 from acoexp.colony.pheromone import level
-from acoexp.colony.weights import refresh
 
 GRID, _ = drawn("a.. ... ..b")
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from samples import colony_on, drawn, number_of, problem_on, trails_of
 
+from acoexp.colony.changes import refresh
 from acoexp.colony.pheromone import level
 from acoexp.colony.state import Colony
-from acoexp.colony.weights import refresh
 from acoexp.strategies.update.ant_cycle import AntCycle
 from acoexp.trial.workspace import new_trails
 
