@@ -46,6 +46,7 @@ def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
         colony, own, raw, final, best = room.colony, room.own, room.raw, room.final, room.best
         _begin(room, record, seed)
         begin_facing(room)
+        in_vain = 0
         for cycle in range(colony.iterations):
             if colony.stop[0]:
                 return STOPPED
@@ -62,10 +63,12 @@ def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
                 else:
                     final.length[ant] = np.inf
                     record.lost[cycle] += 1
-            _note_best(raw, final, best, record, cycle)
+            in_vain = 0 if _note_best(raw, final, best, record, cycle) else in_vain + 1
             update(colony, own.update, raw, final, best)
             refresh(colony)
             close_facing(room)
+            if in_vain == colony.patience:
+                break
         if colony.unsound[0]:
             return UNSOUND
         for row in range(2):
@@ -91,21 +94,23 @@ def _begin(room: Any, record: Any, seed: Any) -> None:
 
 
 @compiled
-def _note_best(raw: Any, final: Any, best: Any, record: Any, cycle: Any) -> None:
-    """Record the cycle's best path, walked or optimised, and keep it if it is the run's best so far."""
+def _note_best(raw: Any, final: Any, best: Any, record: Any, cycle: Any) -> bool:
+    """Record the cycle's best path, walked or optimised; tell whether it is the best so far, and kept."""
     shortest, winner = np.inf, -1
     for ant in range(raw.length.size):
         length = min(raw.length[ant], final.length[ant])
         if length < shortest:
             shortest, winner = length, ant
     if winner < 0:
-        return
+        return False
     source = final if final.length[winner] <= raw.length[winner] else raw
     record.pairs[cycle, 0] = source.straight[winner]
     record.pairs[cycle, 1] = source.steps[winner] - source.straight[winner]
-    if shortest < best.length[0]:
-        copy_trail(source, winner, best, 0)
-        copy_trail(raw, winner, best, 1)
+    if shortest >= best.length[0]:
+        return False
+    copy_trail(source, winner, best, 0)
+    copy_trail(raw, winner, best, 1)
+    return True
 
 
 def _polish_by(optimise: Kernel) -> Kernel:

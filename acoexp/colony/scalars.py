@@ -19,6 +19,11 @@ class ColonySettings:
     max_steps: int | None = parameter(
         None, "moves, those back too, after which an ant is lost; without it no number is too many", minimum=1
     )
+    patience: int | None = parameter(
+        None,
+        "cycles in a row without a better path that end a trial; without it no number does",
+        minimum=1,
+    )
     q: float = parameter(
         1.0, "pheromone that an ant spreads over its path; not in the paper", minimum=1e-100, maximum=1e100
     )

@@ -55,6 +55,7 @@ class Colony(NamedTuple):
         desirability: float64[edges], eta^beta; 0 where a move is not allowed.
         alpha, beta, rho, q, tau0: The settings.
         ants, iterations: The settings.
+        patience: Cycles in a row without a better path after which the trial ends.
         max_steps: Moves, those back too, after which an ant is lost.
         highest_stored: What ``stored`` may not exceed, lest a weight overflow.
         stored: * float64[edges], pheromone divided by ``scale``; read it by ``level``.
@@ -88,6 +89,7 @@ class Colony(NamedTuple):
     tau0: float
     ants: int
     iterations: int
+    patience: int
     max_steps: int
     highest_stored: float
     stored: NDArray[np.float64]

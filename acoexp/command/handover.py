@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, chdir, nullcontext
 from dataclasses import asdict
@@ -26,6 +27,7 @@ from acoexp.console.whole import write_whole
 from acoexp.errors import SettingsError
 from acoexp.grid.frame import Frame
 from acoexp.grid.grid import Grid
+from acoexp.tracking.options import EXPERIMENT_VARIABLE
 
 
 class Handover(metaclass=Singleton):
@@ -34,6 +36,7 @@ class Handover(metaclass=Singleton):
     Attributes:
         home: The parent's working directory, which a worker on another machine need not have.
         addresses: Absolute addresses of stores, by what the configuration calls them.
+        experiment: What the parent's environment calls the experiment, if it does.
         folder: Where the maps of a sweep lie; None outside of sweeps.
         ready: What to run, where the job was checked in this very process and is the only one.
     """
@@ -41,6 +44,7 @@ class Handover(metaclass=Singleton):
     def __init__(self) -> None:
         self.home = Path.cwd()
         self.addresses: dict[str, str] = {}
+        self.experiment = os.environ.get(EXPERIMENT_VARIABLE)
         self.folder: Path | None = None
         self.ready: Callable[[], float] | None = None
         self._sweep = ""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import logging
 import math
 from collections.abc import Mapping
 from contextlib import nullcontext
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,8 @@ from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
 from acoexp.command.options.quoting import literal
 from acoexp.command.reporting import Asked, asked_report
+from acoexp.command.results.again import command_of
+from acoexp.command.results.artifacts import carried, pictured
 from acoexp.command.results.contents import batch_record, trial_record
 from acoexp.command.results.paths import write_path
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
@@ -38,13 +40,10 @@ from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.open import open_tracker
 from acoexp.tracking.setup import Setup
 from acoexp.tracking.tracker import Tracker
-from acoexp.trial.batch import Batch
-from acoexp.trial.result import Result
+from acoexp.trial.outcome import Batch
 from acoexp.trial.seeds import Seeds, parse_seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.table import csv_lines
-
-log = logging.getLogger(__name__)
 
 _NOT_SETTINGS = {"algo", "map", "report", "tracking", *fields_of(JobKeys)}
 
@@ -127,11 +126,16 @@ class Job:
 
     def _run_trial(self, folder: Path, alone: bool) -> float:
         """Run one trial; with its path, pictures and its row of figures where it is the only one."""
-        trial, seconds = keep_trial(self.setup, self.keys.seed, self.tracker, resume=self.keys.resume)
-        write_record(folder / TRIAL, trial_record(trial, seconds))
+        trial = keep_trial(
+            self._setup_with_command(),
+            self.keys.seed,
+            self.tracker,
+            resume=self.keys.resume,
+            artifacts=partial(pictured, folder) if alone else carried,
+        )
+        write_record(folder / TRIAL, trial_record(trial))
         if alone:
             write_path(trial.result, folder)
-            _draw(trial.result, folder)
             print_trial(Path(HydraConfig.get().run.dir), self.tracker.where)
         return trial.result.length if trial.result.path is not None else math.inf
 
@@ -142,11 +146,12 @@ class Job:
             StrategyError: if any of its trials failed; all others have been run and kept.
         """
         batch = keep_batch(
-            self.setup,
+            self._setup_with_command(),
             seeds,
             self.tracker,
             threads=self.keys.threads,
             resume=self.keys.resume,
+            artifacts=partial(pictured, folder),
             show=partial(write_progress, folder),
         )
         if len(batch.table):
@@ -165,13 +170,23 @@ class Job:
             settings=self.setup.settings,
             grid=self.setup.grid,
             folder=folder,
-            trials_of=partial(kept_trials, tracker=self.tracker, threads=keys.threads, resume=keys.resume),
+            trials_of=partial(
+                kept_trials,
+                tracker=self.tracker,
+                threads=keys.threads,
+                resume=keys.resume,
+                artifacts=carried,
+            ),
             made_by={
                 "report": asked.given,
                 "settings": self.setup.settings.as_dict(),
                 "map": [self.setup.grid.name, self.setup.grid.digest],
             },
         )
+
+    def _setup_with_command(self) -> Setup:
+        """Return the setup with the command that runs this job alone, but for where it is kept."""
+        return replace(self.setup, command=command_of(HydraConfig.get().overrides.task))
 
     def _keys(self) -> tuple[JobKeys, Seeds | None]:
         given = {key: self.config.get(key) for key in fields_of(JobKeys)}
@@ -182,6 +197,8 @@ class Job:
     def _tracking(self) -> dict[str, Any]:
         """Return where results go, by the absolute address if the parent gave one."""
         tracking = dict(self._mapping("tracking"))
+        if tracking.get("experiment", "") is None:
+            tracking["experiment"] = self._handover.experiment or None
         absolute = self._handover.addresses.get(str(tracking.get("uri")))
         return tracking if absolute is None else {**tracking, "uri": absolute}
 
@@ -219,20 +236,6 @@ class Job:
 def _raise_if_failed(batch: Batch, trials: int) -> None:
     if batch.failures:
         raise StrategyError(f"{len(batch.failures)} of {trials} trials failed: {batch.failures[0].reason}")
-
-
-def _draw(result: Result, folder: Path) -> None:
-    """Draw the pictures of a trial; it is kept by now, so one that cannot be drawn is only a warning."""
-    try:
-        from acoexp.command.results.pictures import (  # matplotlib takes its time to import
-            draw_convergence,
-            draw_map,
-        )
-
-        draw_map(result, folder / "path.png")
-        draw_convergence(result, folder / "convergence.png")
-    except Exception as problem:
-        log.warning("the pictures could not be drawn: %s: %s", type(problem).__name__, problem)
 
 
 def _plain(config: DictConfig) -> dict[str, Any]:

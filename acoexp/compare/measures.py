@@ -31,7 +31,8 @@ class Sample:
         optimum: Exact optimum of the map, in cells.
         found: Whether each trial found the optimum, bool[n].
         features: By name, float[n], nan where there is none.
-        curves: Best length found in each cycle, float[n, iterations]; nan where all ants were lost.
+        curves: Best length found in each cycle, float[n, longest]; nan where all ants were lost. A trial that
+            ended sooner than another stays as it was in its last cycle.
     """
 
     configuration: str
@@ -56,7 +57,7 @@ class Sample:
 
     @property
     def iterations(self) -> int:
-        """Cycles that a trial may spend."""
+        """Cycles of the longest trial."""
         return int(self.curves.shape[1])
 
     def hitting_time(self, censored: int) -> Values:
@@ -75,7 +76,7 @@ def configuration_row(sample: Sample) -> Row:
     for name in NAMES:
         row[name], row[f"{name}_sd"] = statistics.mean_and_deviation(sample.features[name])
     rate = statistics.success_rate(sample.found)
-    spent = sample.hitting_time(sample.iterations)
+    spent = np.where(sample.found, sample.features["x1"], sample.features["cycles"])
     time = statistics.expected_running_time(spent, sample.found)
     row |= {"found": int(sample.found.sum()), "success": rate.value, "success_low": rate.low}
     return row | {"success_high": rate.high, "ert": time.value, "ert_low": time.low, "ert_high": time.high}

@@ -115,7 +115,7 @@ class Compare(Report):
 def _warning(compared: Sequence[Configuration]) -> str:
     """Say it where configurations may spend different numbers of walks, which no table shows."""
     text = ""
-    for key in ("ants", "iterations"):
+    for key in ("ants", "iterations", "patience"):
         values = {one.label: getattr(one.settings.scalars, key) for one in compared}
         if len(set(values.values())) > 1:
             each = ", ".join(f"{label}: {value}" for label, value in values.items())

@@ -12,7 +12,7 @@ from acoexp.report.table import Table, interval, p_value
 
 def tables_of(rows: Sequence[Row], pairs: Sequence[Row]) -> list[Table]:
     """Return the report's tables from its rows."""
-    return [features_table(rows), success_table(rows), pairs_table(pairs)]
+    return [features_table(rows), success_table(rows), quality_table(rows), pairs_table(pairs)]
 
 
 def features_table(rows: Sequence[Row]) -> Table:
@@ -47,6 +47,19 @@ def success_table(rows: Sequence[Row]) -> Table:
     ]
     headings = ["map", "cell", "found", "success rate", "expected running time (cycles)"]
     return Table("Success", note, headings, texts)
+
+
+def quality_table(rows: Sequence[Row]) -> Table:
+    """Return how good the paths are to drive, mean ± standard deviation."""
+    digits = {"turns": 1, "turning": 2, "clearance_mean": 2, "clearance_least": 2, "detour": 3}
+    note = (
+        "Of each trial's best path, mean ± standard deviation over trials: turns; turning in radians; mean and "
+        "least distance from the centres of its cells to that of the nearest obstacle, in cells; detour: its "
+        "length over the exact shortest any-angle path's, - where that was not computed."
+    )
+    texts = [[row["map"], row["cell"], *(_spread(row, name, d) for name, d in digits.items())] for row in rows]
+    headings = ["map", "cell", "turns", "turning", "mean clearance", "least clearance", "detour"]
+    return Table("Quality of paths", note, headings, texts)
 
 
 def pairs_table(pairs: Sequence[Row]) -> Table:

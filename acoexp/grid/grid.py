@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoexp.errors import MapError, shown
+from acoexp.grid.any_angle import any_angle_length
 from acoexp.grid.frame import Frame
 from acoexp.grid.moves import DIRECTIONS, MOVE_RULES, allowed_moves, path_length
 from acoexp.grid.optimum import shortest_path
@@ -137,6 +138,29 @@ class Grid:
     def optimum(self) -> float:
         """The exact optimum's length, in cells."""
         return path_length(*self.optimum_pair)
+
+    @cached_property
+    def any_angle_optimum(self) -> float:
+        """Length of a shortest path whose segments may have any angle, in cells; nan where the search is given up.
+
+        It is the exact lower bound of any path's length on this map, see :mod:`acoexp.grid.any_angle`.
+        """
+        length = any_angle_length(self.obstacles, self.start, self.goal, squeezes=self.moves == "free")
+        return min(length, self.optimum)  # where they are the same, also when rounded; nan stays
+
+    @cached_property
+    def clearance(self) -> NDArray[np.float64]:
+        """Distance from each cell's centre to that of the nearest obstacle, float64[rows, cols], in cells.
+
+        It is 0 on obstacles, and nan everywhere on a map that has none: what is around a map is no obstacle. By
+        the exact Euclidean distance transform (Maurer, Qi and Raghavan 2003).
+        """
+        from scipy.ndimage import distance_transform_edt
+
+        free = ~self.obstacles
+        table = np.full(self.shape, np.nan) if free.all() else distance_transform_edt(free)
+        table.flags.writeable = False
+        return table
 
     @cached_property
     def digest(self) -> str:

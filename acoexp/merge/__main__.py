@@ -18,7 +18,7 @@ from acoexp.parameters import defaults_of
 from acoexp.tracking.mlflow.database import address_of
 from acoexp.tracking.mlflow.store import Store
 from acoexp.tracking.mlflow.tracker import MlflowTracker
-from acoexp.tracking.open import check_uri
+from acoexp.tracking.open import check_uri, experiment_named
 from acoexp.tracking.options import Mlflow
 
 
@@ -33,10 +33,14 @@ def main(argv: list[str] | None = None) -> None:
         "source", nargs="+", help="database file, or address of an MLflow store, to bring runs from"
     )
     parser.add_argument("--into", default=default, metavar="STORE", help="where to bring them [%(default)s]")
+    parser.add_argument(
+        "--experiment", metavar="NAME", help="experiment to bring, in all stores the same [as tracking.experiment]"
+    )
     arguments = parser.parse_args(argv)
     with ends_cleanly("what was brought is kept"):
-        sources = [_existing(source) for source in arguments.source]
-        target = MlflowTracker(_address(arguments.into))
+        experiment = experiment_named(arguments.experiment)
+        sources = [_existing(source, experiment) for source in arguments.source]
+        target = MlflowTracker(_address(arguments.into), experiment)
         for source in sources:
             if source.uri == target.store.uri:
                 raise TrackingError(f"expected a store other than the one to bring runs into; got {source.shown}")
@@ -66,8 +70,8 @@ def _merge(source: Store, target: Store) -> list[RefusedError]:
     return refused
 
 
-def _existing(text: str) -> Store:
-    store = Store(_address(text))
+def _existing(text: str, experiment: str) -> Store:
+    store = Store(_address(text), experiment)
     if store.file is not None and not store.file.is_file():
         raise TrackingError(f"expected an MLflow database to bring runs from; there is no file {store.file}")
     if store.file is not None and not _is_mlflows(store.file):

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.grid.grid import Grid
-from acoexp.tracking.setup import Setup
+from acoexp.tracking.setup import Artifacts, Setup
 from acoexp.tracking.tracker import Tracker
-from acoexp.trial.batch import Batch, run_batch
+from acoexp.trial.batch import run_batch
+from acoexp.trial.outcome import Batch
+from acoexp.trial.result import Result
 from acoexp.trial.seeds import Seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.solver import Solver
-from acoexp.trial.table import aggregate, csv_lines
 from acoexp.trial.trials import Trials
 
 log = logging.getLogger(__name__)
@@ -28,6 +29,7 @@ def keep_batch(
     *,
     threads: int | None = None,
     resume: bool = True,
+    artifacts: Callable[[Result], Artifacts] = lambda result: {},
     receive: Callable[[Trials], None] = lambda portion: None,
     show: Callable[[int], None] = lambda done: None,
 ) -> Batch:
@@ -40,6 +42,7 @@ def keep_batch(
         threads: How many threads; by default one for each processor.
         resume: Whether trials that the tracker has are taken from there; otherwise all are run, and the new run
             takes the old one's place.
+        artifacts: Returns what the run carries of the best trial: the first of those with the shortest path.
         receive: Called with each portion of trials, those that were found and those that were run.
         show: Called now and then with the number of trials that are finished or failed.
 
@@ -58,7 +61,7 @@ def keep_batch(
             found=kept.found_before(),
             show=show,
         )
-        kept.finish(batch)
+        kept.finish(batch, _of_best(batch, solver, artifacts))
     except BaseException as problem:
         kept.abandon(str(problem) or type(problem).__name__)
         raise
@@ -74,6 +77,7 @@ def kept_trials(
     tracker: Tracker,
     threads: int | None = None,
     resume: bool = True,
+    artifacts: Callable[[Result], Artifacts] = lambda result: {},
 ) -> Trials:
     """Return the trials of a batch, in the order of their seeds; see :func:`keep_batch`.
 
@@ -87,6 +91,7 @@ def kept_trials(
         tracker,
         threads=threads,
         resume=resume,
+        artifacts=artifacts,
         receive=portions.append,
         show=show,
     )
@@ -129,14 +134,10 @@ class _KeptBatch:
             self._run.keep(portion)
         self._receive(portion)
 
-    def finish(self, batch: Batch) -> None:
+    def finish(self, batch: Batch, artifacts: Artifacts) -> None:
         """Keep the aggregates and the table of all trials, and end the run."""
-        if self._run is None:
-            return
-        iterations = self._setup.settings.scalars.iterations
-        summary = aggregate(batch.table, self._setup.grid.optimum, iterations) if len(batch.table) else None
-        failed = {failure.seed: str(failure.reason) for failure in batch.failures}
-        self._run.finish(summary, batch.curve, csv_lines(batch.table), failed)
+        if self._run is not None:
+            self._run.finish(batch, artifacts)
 
     def abandon(self, reason: str) -> None:
         if self._run is not None:
@@ -151,6 +152,14 @@ class _KeptBatch:
         self._run = self._tracker.begin(self._setup, self._seeds, resume=False)
         for portion in self._in_store():
             self._run.keep(portion)
+
+
+def _of_best(batch: Batch, solver: Solver, artifacts: Callable[[Result], Artifacts]) -> Artifacts:
+    """Return the artifacts of the best trial, which is run once more: those found in the store have no path."""
+    lengths = batch.table["l1"]
+    if np.isnan(lengths).all():
+        return {}
+    return artifacts(solver.solve(int(batch.table["seed"][np.nanargmin(lengths)])))
 
 
 def _name(setup: Setup) -> str:

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import time
-from typing import NamedTuple
+from collections.abc import Callable
 
 from acoexp.errors import StrategyError
-from acoexp.tracking.setup import Setup, Trial
+from acoexp.tracking.setup import Artifacts, Setup, Trial
 from acoexp.tracking.tracker import Tracker
+from acoexp.trial.result import Result
 from acoexp.trial.solver import Solver
 
 
-class KeptTrial(NamedTuple):
-    """A trial that is in the store, and the time that it took to solve."""
-
-    trial: Trial
-    seconds: float
-
-
-def keep_trial(setup: Setup, seed: int, tracker: Tracker, *, resume: bool = True) -> KeptTrial:
+def keep_trial(
+    setup: Setup,
+    seed: int,
+    tracker: Tracker,
+    *,
+    resume: bool = True,
+    artifacts: Callable[[Result], Artifacts] = lambda result: {},
+) -> Trial:
     """Run one trial and keep it.
 
     Args:
@@ -26,6 +27,7 @@ def keep_trial(setup: Setup, seed: int, tracker: Tracker, *, resume: bool = True
         seed: Its seed.
         tracker: Where it is kept.
         resume: Whether the same trial, if it is there, stays; otherwise this one takes its place.
+        artifacts: Returns what its run carries.
 
     Raises:
         StrategyError: if a part broke its contract; the tracker then has the reason.
@@ -34,10 +36,11 @@ def keep_trial(setup: Setup, seed: int, tracker: Tracker, *, resume: bool = True
     try:
         solver = Solver(setup.grid, setup.settings)
         began = time.perf_counter()
-        trial = Trial(setup, solver.solve(seed))
+        result = solver.solve(seed)
         seconds = time.perf_counter() - began
     except StrategyError as problem:
         tracker.log_failure(setup, seed, str(problem))
         raise
+    trial = Trial(setup, result, seconds, artifacts(result))
     tracker.log(trial, resume=resume)
-    return KeptTrial(trial, seconds)
+    return trial

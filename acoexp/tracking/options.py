@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from acoexp.parameters import parameter
 
+EXPERIMENT_VARIABLE = "MLFLOW_EXPERIMENT_NAME"
+"""MLflow's own variable, which names the experiment where no key does."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Mlflow:
@@ -13,6 +16,9 @@ class Mlflow:
 
     uri: str = parameter(
         "sqlite:///outputs/mlflow.db", "any store or server: http://..., postgresql://..., sqlite:///..."
+    )
+    experiment: str | None = parameter(
+        None, "experiment that runs are in, and looked for; by default MLFLOW_EXPERIMENT_NAME, or else acoexp"
     )
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -11,6 +12,9 @@ from acoexp.grid.grid import Grid
 from acoexp.tracking.identity import configuration_id, trial_identity
 from acoexp.trial.result import Result
 from acoexp.trial.settings import Settings
+
+Artifacts = Mapping[str, bytes]
+"""Files that a run carries: what is in each, by its name."""
 
 
 @dataclass(frozen=True)
@@ -21,11 +25,13 @@ class Setup:
         settings: The settings, resolved.
         grid: The map.
         map: Name and parameters of the source that the map came from.
+        command: The command that runs it again, for a person; None where it was none.
     """
 
     settings: Settings
     grid: Grid
     map: Mapping[str, Any]
+    command: str | None = None
 
     @classmethod
     def of(cls, settings: Settings, grid: Grid) -> Setup:
@@ -54,10 +60,14 @@ class Trial:
     Attributes:
         setup: What it is a trial of.
         result: What it found.
+        seconds: Time that it took.
+        artifacts: What its run carries.
     """
 
     setup: Setup
     result: Result
+    seconds: float = math.nan
+    artifacts: Artifacts = field(default_factory=dict)
 
     @property
     def params(self) -> dict[str, str]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
-from typing import Any, Protocol
+from collections.abc import Collection, Iterable
+from typing import Protocol
 
-from acoexp.tracking.setup import Found, Setup, Trial
+from acoexp.tracking.setup import Artifacts, Found, Setup, Trial
+from acoexp.trial.outcome import Batch
 from acoexp.trial.seeds import Seeds
-from acoexp.trial.table import Aggregates
 from acoexp.trial.trials import Trials
 
 
@@ -17,16 +17,12 @@ class BatchLog(Protocol):
     def keep(self, portion: Trials) -> None:
         """Keep a portion of finished trials, for good."""
 
-    def finish(
-        self, summary: Aggregates | None, curve: Any, table: Iterable[str], failed: Mapping[int, str]
-    ) -> None:
-        """Keep the aggregates and the table, and say that the batch has ended.
+    def finish(self, batch: Batch, artifacts: Artifacts) -> None:
+        """Keep the aggregates and the table, and say that the batch has ended; one with failures has failed.
 
         Args:
-            summary: The aggregates of all finished trials; None if there is none.
-            curve: Mean of the best length found in each cycle, float[iterations].
-            table: The lines of the table of trials.
-            failed: Why trials failed, by their seed; a batch with any has failed.
+            batch: All of it.
+            artifacts: What its run carries of its best trial.
         """
 
     def abandon(self, reason: str) -> None:
@@ -120,9 +116,7 @@ class _NoLog:
     def keep(self, portion: Trials) -> None:
         pass
 
-    def finish(
-        self, summary: Aggregates | None, curve: Any, table: Iterable[str], failed: Mapping[int, str]
-    ) -> None:
+    def finish(self, batch: Batch, artifacts: Artifacts) -> None:
         pass
 
     def abandon(self, reason: str) -> None:

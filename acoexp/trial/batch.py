@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.trial.failures import Failure
-from acoexp.trial.features import curve_of
+from acoexp.trial.features import curve_of, prolonged
+from acoexp.trial.outcome import Batch, Failure
 from acoexp.trial.result import Result
 from acoexp.trial.table import TABLE
 from acoexp.trial.trials import Trials
@@ -22,25 +22,6 @@ PORTION = 2000
 """Trials that are handed over together at most."""
 SECONDS = 2.0
 """Time after which finished trials are handed over, and so the most that is lost if the process is killed."""
-
-
-class Batch(NamedTuple):
-    """What a batch found.
-
-    Attributes:
-        table: Features of type ``TABLE``, one row for each finished trial, in the order of the seeds.
-        curve: Mean of the best length found in each cycle, float[iterations], over the trials in which an ant
-            arrived in it; nan where none did in any.
-        failures: The trials that came to no result.
-        ran: How many trials were run to their end, besides those that were found.
-        seconds: Time that these took together.
-    """
-
-    table: NDArray[np.void]
-    curve: NDArray[np.float64]
-    failures: list[Failure]
-    ran: int
-    seconds: float
 
 
 Outcomes = Callable[[Result | Failure], None]
@@ -75,7 +56,9 @@ def run_batch(
         collected.hand_over()  # also what was finished before Ctrl-C
     seconds = time.perf_counter() - began
     table = np.sort(np.concatenate([np.zeros(0, TABLE), *collected.tables]), order="seed")
-    return Batch(table, collected.mean_curve(), collected.failures, len(table) - before, seconds)
+    return Batch(
+        table, collected.curve.mean(), collected.best.mean(), collected.failures, len(table) - before, seconds
+    )
 
 
 class _Collected:
@@ -87,8 +70,7 @@ class _Collected:
         self._handed_over = time.perf_counter()
         self.tables: list[NDArray[np.void]] = []
         self.failures: list[Failure] = []
-        # whole numbers, so that the mean does not depend on the order in which threads finish
-        self._moves, self._count = np.zeros((iterations, 2), np.int64), np.zeros(iterations, np.int64)
+        self.curve, self.best = _Mean(iterations), _Mean(iterations)
 
     def receive(self, outcome: Result | Failure) -> None:
         if isinstance(outcome, Failure):
@@ -109,10 +91,24 @@ class _Collected:
 
     def add(self, portion: Trials) -> None:
         self.tables.append(portion.table)
-        self._moves += portion.curve_pairs.clip(min=0).sum(axis=0, dtype=np.int64)
-        self._count += (portion.curve_pairs[:, :, 0] >= 0).sum(axis=0)
+        self.curve.add(portion.curve_pairs)
+        self.best.add(portion.best_pairs)
 
-    def mean_curve(self) -> NDArray[np.float64]:
+
+class _Mean:
+    """The mean of lengths in each cycle, of trials that are added one portion after the other."""
+
+    def __init__(self, iterations: int) -> None:
+        # whole numbers, so that the mean does not depend on the order in which threads finish
+        self._moves, self._count = np.zeros((iterations, 2), np.int64), np.zeros(iterations, np.int64)
+
+    def add(self, pairs: NDArray[Any]) -> None:
+        """Add trials, int[n, cycles, 2], -1 where there is no length."""
+        pairs = prolonged(pairs, len(self._count))
+        self._moves += pairs.clip(min=0).sum(axis=0, dtype=np.int64)
+        self._count += (pairs[:, :, 0] >= 0).sum(axis=0)
+
+    def mean(self) -> NDArray[np.float64]:
         total = curve_of(self._moves)
         mean = np.full(total.shape, np.nan)
         np.divide(total, self._count, where=self._count > 0, out=mean)

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from acoexp.colony import diagnosis
 from acoexp.errors import StrategyError
 from acoexp.trial.settings import Settings
-
-
-class Failure(NamedTuple):
-    """A trial that came to no result, and why."""
-
-    seed: int
-    reason: StrategyError
 
 
 def not_compiled(settings: Settings, problem: Exception) -> StrategyError:

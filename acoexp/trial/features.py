@@ -33,7 +33,11 @@ class Features(NamedTuple):
     l2: float
 
 
-NAMES = ("x1", "x2", "x3", "l1", "l2", "lost_ants")
+NAMES = (
+    *Features._fields,
+    *("turns", "turning", "clearance_mean", "clearance_least", "detour"),
+    *("cycles", "lost_ants", "ant_steps"),
+)
 """What is measured of a trial, as its record, its row of a table and its MLflow metrics call it."""
 
 CYCLES = ("x1", "x2", "x3")
@@ -44,6 +48,20 @@ def curve_of(pairs: NDArray[Any]) -> NDArray[np.float64]:
     """Return the lengths of (straight, diagonal) moves, int[..., 2] -> float[...]; nan for (-1, -1), no path."""
     straight, diagonal = np.moveaxis(pairs.astype(np.float64), -1, 0)
     return np.where(straight < 0, np.nan, path_length(straight, diagonal))
+
+
+def prolonged(pairs: NDArray[Any], cycles: int) -> NDArray[Any]:
+    """Return the moves of each cycle, int[..., K, 2], as of a trial of so many cycles that stays as in its last.
+
+    All features stay what they are, so trials that ended sooner than others may stand beside them.
+    """
+    more = cycles - pairs.shape[-2]
+    return np.pad(pairs, [*[(0, 0)] * (pairs.ndim - 2), (0, more), (0, 0)], mode="edge")
+
+
+def best_so_far(curve: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the best length up to each cycle, float[..., K], of curves, float[..., K]; nan before the first."""
+    return np.fmin.accumulate(curve, axis=-1)
 
 
 def defined(name: str, values: NDArray[Any]) -> NDArray[np.float64]:

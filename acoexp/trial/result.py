@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from acoexp.grid.grid import Grid
 from acoexp.grid.moves import follow
 from acoexp.trial.features import Features, curve_of, features_of, without_nan, x2_last
+from acoexp.trial.quality import UNDEFINED, Quality, in_metres, quality_of
 
 Pair = tuple[int, int]
 """A length as (straight, diagonal) moves, exact."""
@@ -38,9 +39,9 @@ class Result:
         grid: The map.
         moves: uint8[n], the directions of the run's best path; None when no ant ever arrived.
         raw_moves: Those of that path as the ant walked it, where a post-optimiser worked; else None.
-        curve_pairs: int[iterations, 2], (straight, diagonal) moves of the best path found in each cycle; -1
-            where all ants were lost.
-        lost_ants: int[iterations], ants lost in each cycle.
+        curve_pairs: int[cycles, 2], (straight, diagonal) moves of the best path found in each cycle; -1 where
+            all ants were lost. There are as many cycles as ``iterations``, or fewer where ``patience`` ended it.
+        lost_ants: int[cycles], ants lost in each cycle.
         ant_steps: Moves made by all ants together.
     """
 
@@ -65,13 +66,26 @@ class Result:
 
     @cached_property
     def curve(self) -> NDArray[np.float64]:
-        """Best length found in each cycle, float[iterations]; nan where all ants were lost."""
+        """Best length found in each cycle, float[cycles]; nan where all ants were lost."""
         return curve_of(self.curve_pairs)
 
     @cached_property
     def features(self) -> Features:
         """The features of the curve."""
         return features_of(self.curve)
+
+    @cached_property
+    def quality(self) -> Quality:
+        """How good ``path`` is to drive."""
+        if self.moves is None or self.path is None:
+            return UNDEFINED
+        clearance = self.grid.clearance[tuple(self.path.T)]
+        return quality_of(self.moves, clearance, self.grid.any_angle_optimum)
+
+    @property
+    def cycles(self) -> int:
+        """Cycles that were run."""
+        return len(self.curve_pairs)
 
     @property
     def x1(self) -> int:
@@ -140,16 +154,21 @@ class Result:
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything as plain values for JSON; None where there is no value."""
+        quality = self.quality._asdict()
         plain = {
             "algo": self.algo,
             "map": self.grid.name,
             "map_digest": self.grid.digest,
             "seed": self.seed,
             **self.features._asdict(),
+            **quality,
+            **in_metres(quality, self.grid.frame),
             "optimum": self.optimum,
+            "any_angle_optimum": self.grid.any_angle_optimum,
             "l1_pair": self.l1_pair,
             "l2_pair": self.l2_pair,
             "optimum_pair": self.optimum_pair,
+            "cycles": self.cycles,
             "lost_ants": self.lost_ants.tolist(),
             "ant_steps": self.ant_steps,
             "curve": self.curve.tolist(),

@@ -20,7 +20,7 @@ from acoexp.grid.grid import Grid
 from acoexp.kernels.cache import compile_once
 from acoexp.kernels.digest import digest_of
 from acoexp.trial import failures
-from acoexp.trial.failures import Failure
+from acoexp.trial.outcome import Failure
 from acoexp.trial.preparation import prepare
 from acoexp.trial.result import Result
 from acoexp.trial.seeds import check_seed
@@ -190,9 +190,10 @@ class Solver:
         except BaseException as problem:
             raise failures.raised(self.settings, seed, problem) from problem
         self._check(verdict, seed)
-        return self._result(workspace.room.best, record, seed)
+        return self._result(workspace.room, record, seed)
 
-    def _result(self, best: Trails, record: Record, seed: int) -> Result:
+    def _result(self, room: Room, record: Record, seed: int) -> Result:
+        best, cycles = room.best, int(room.colony.cycle[0])
         arrived = best.length[0] < np.inf
         return Result(
             algo=self.settings.label,
@@ -200,8 +201,8 @@ class Solver:
             grid=self.grid,
             moves=_moves(best, 0) if arrived else None,
             raw_moves=_moves(best, 1) if arrived and self._kernels.post is not None else None,
-            curve_pairs=record.pairs,
-            lost_ants=record.lost,
+            curve_pairs=record.pairs[:cycles],
+            lost_ants=record.lost[:cycles],
             ant_steps=int(record.ant_steps[0]),
         )
 

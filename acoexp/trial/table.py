@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.trial.features import NAMES, defined
+from acoexp.trial.features import CYCLES, NAMES, defined
+from acoexp.trial.quality import Quality
 
 TABLE = np.dtype(
     [
@@ -18,11 +19,13 @@ TABLE = np.dtype(
         ("x3", np.int32),
         ("l1", np.float64),
         ("l2", np.float64),
+        *((name, np.float64) for name in Quality._fields),
+        ("cycles", np.int32),
         ("lost_ants", np.int64),
         ("ant_steps", np.int64),
     ]
 )
-"""One row for each trial: x1, x2, x3 0 and l1, l2 nan where undefined; lost ants over all cycles."""
+"""One row for each trial: x1, x2, x3 0 and other features nan where undefined; lost ants over all cycles."""
 
 _SLICE = 10_000  # rows in memory as Python's numbers at a time
 
@@ -48,10 +51,10 @@ class Aggregates(NamedTuple):
     deviations: dict[str, float]
 
 
-def aggregate(table: NDArray[np.void], optimum: float, iterations: int) -> Aggregates:
+def aggregate(table: NDArray[np.void], optimum: float) -> Aggregates:
     """Return the aggregates of one or more trials, a table of type ``TABLE``."""
     found = table["l1"] == optimum
-    spent = np.where(found, table["x1"], iterations).sum()
+    spent = np.where(found, table["x1"], table["cycles"]).sum()
     columns = dict(_defined(table))
     return Aggregates(
         trials=len(table),
@@ -66,10 +69,10 @@ def aggregate(table: NDArray[np.void], optimum: float, iterations: int) -> Aggre
 def csv_lines(table: NDArray[np.void]) -> Iterator[str]:
     """Yield a table's heading and rows as lines of CSV; what is undefined stays empty."""
     yield ",".join(TABLE.names or ())
+    names = table.dtype.names or ()
     for row in (row for first in range(0, len(table), _SLICE) for row in table[first : first + _SLICE].tolist()):
-        seed, *cycles_and_lengths, lost, steps = row
-        shown = ["" if value == 0 or value != value else repr(value) for value in cycles_and_lengths]
-        yield ",".join([str(seed), *shown, str(lost), str(steps)])
+        pairs = zip(names, row, strict=True)
+        yield ",".join("" if v != v or (v == 0 and name in CYCLES) else repr(v) for name, v in pairs)
 
 
 def _defined(table: NDArray[np.void]) -> Iterator[tuple[str, NDArray[np.float64]]]:

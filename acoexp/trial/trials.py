@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from io import BytesIO
 from typing import Any
@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.trial.features import curve_of, features_of
+from acoexp.trial.features import best_so_far, curve_of, features_of, prolonged
+from acoexp.trial.quality import Quality
 from acoexp.trial.result import Result
 from acoexp.trial.table import TABLE
 
-_COLUMNS = ("seeds", "curve_pairs", "lost_ants", "ant_steps")
+_COLUMNS = ("seeds", "curve_pairs", "lost_ants", "ant_steps", "cycles", "quality")
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,26 +25,34 @@ class Trials:
 
     Attributes:
         seeds: uint64[n].
-        curve_pairs: int[n, iterations, 2], (straight, diagonal) moves of the best path found in each cycle; -1
-            where all ants were lost.
-        lost_ants: int[n, iterations], ants lost in each cycle.
+        curve_pairs: int[n, longest, 2], (straight, diagonal) moves of the best path found in each cycle; -1
+            where all ants were lost. A trial of fewer cycles stays as it was in its last one, which changes none
+            of its features.
+        lost_ants: int[n, longest], ants lost in each cycle; 0 after the last.
         ant_steps: int64[n], moves made by all ants together.
+        cycles: int32[n], cycles that were run.
+        quality: float64[n, 5], that of each path, in the order of :class:`~acoexp.trial.quality.Quality`.
     """
 
     seeds: NDArray[np.uint64]
     curve_pairs: NDArray[Any]
     lost_ants: NDArray[Any]
     ant_steps: NDArray[np.int64]
+    cycles: NDArray[np.int32]
+    quality: NDArray[np.float64]
 
     @classmethod
     def of(cls, results: Sequence[Result]) -> Trials:
         """Return what one or more results leave behind."""
         ordered = sorted(results, key=lambda result: result.seed)
+        longest = max(result.cycles for result in ordered)
         return cls(
             seeds=np.array([r.seed for r in ordered], dtype=np.uint64),
-            curve_pairs=_smallest(np.array([r.curve_pairs for r in ordered])),
-            lost_ants=_smallest(np.array([r.lost_ants for r in ordered])),
+            curve_pairs=_smallest(np.array([prolonged(r.curve_pairs, longest) for r in ordered])),
+            lost_ants=_smallest(np.array([np.pad(r.lost_ants, (0, longest - r.cycles)) for r in ordered])),
             ant_steps=np.array([r.ant_steps for r in ordered], dtype=np.int64),
+            cycles=np.array([r.cycles for r in ordered], dtype=np.int32),
+            quality=np.array([r.quality for r in ordered], dtype=np.float64),
         )
 
     @classmethod
@@ -51,8 +60,18 @@ class Trials:
         """Return the trials of all parts, one or more; of several with one seed the first."""
         given = list(parts)
         seeds, place = np.unique(np.concatenate([p.seeds for p in given]), return_index=True)
+        longest = max(part.curve_pairs.shape[1] for part in given)
+        given = [part.prolonged(longest) for part in given]
         columns = [np.concatenate([getattr(p, name) for p in given])[place] for name in _COLUMNS[1:]]
         return cls(seeds, *columns)
+
+    def prolonged(self, cycles: int) -> Trials:
+        """Return them as of trials that were at least so many cycles long."""
+        more = cycles - self.curve_pairs.shape[1]
+        if more <= 0:
+            return self
+        pairs, lost = prolonged(self.curve_pairs, cycles), np.pad(self.lost_ants, ((0, 0), (0, more)))
+        return replace(self, curve_pairs=pairs, lost_ants=lost)
 
     def among(self, seeds: NDArray[np.uint64]) -> Trials:
         """Return those whose seeds are among these."""
@@ -64,15 +83,24 @@ class Trials:
 
     @cached_property
     def curves(self) -> NDArray[np.float64]:
-        """Best length found in each cycle, float[n, iterations]; nan where all ants were lost."""
+        """Best length found in each cycle, float[n, longest]; nan where all ants were lost."""
         return curve_of(self.curve_pairs)
+
+    @property
+    def best_pairs(self) -> NDArray[Any]:
+        """(straight, diagonal) moves of the best path found up to each cycle, int[n, longest, 2]; -1 before it."""
+        found = np.where(self.curves == best_so_far(self.curves), np.arange(self.curves.shape[1]), 0)
+        latest = np.maximum.accumulate(found, axis=1)
+        return np.take_along_axis(self.curve_pairs, latest[:, :, None], axis=1)
 
     @cached_property
     def table(self) -> NDArray[np.void]:
         """The features, one row for each trial, of type ``TABLE``."""
         table = np.zeros(len(self), dtype=TABLE)
         table["seed"], table["ant_steps"] = self.seeds, self.ant_steps
-        table["lost_ants"] = self.lost_ants.sum(axis=1)
+        table["lost_ants"], table["cycles"] = self.lost_ants.sum(axis=1), self.cycles
+        for name, column in zip(Quality._fields, self.quality.T, strict=True):
+            table[name] = column
         for row, curve in zip(table, self.curves, strict=True):
             features = features_of(curve)
             for name, value in features._asdict().items():

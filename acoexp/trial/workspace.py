@@ -167,6 +167,7 @@ def new_colony(problem: Problem, desirability: NDArray[np.float64], stop: NDArra
         tau0=settings.tau0,
         ants=settings.ants,
         iterations=settings.iterations,
+        patience=min(settings.iterations, settings.patience or settings.iterations),
         max_steps=min(2 * cells, settings.max_steps or 2 * cells),  # to each cell and back
         highest_stored=HIGHEST_POWER ** (1.0 / max(settings.alpha, 1.0)),
         stored=np.empty(cells * 8),

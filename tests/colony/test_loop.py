@@ -32,6 +32,7 @@ READINGS: list[tuple[str, dict[str, Any]]] = [
     ("pdg", {"dead_end": "step_back"}),
     ("pdg", {"dead_end": "step_back", "max_steps": 45}),
     ("pdg", {"order": "two_ended", "dead_end": "step_back"}),
+    *(("aco", {"order": order, "patience": 3, "rho": 0.1}) for order in ("in_turn", "lock_step", "two_ended")),
 ]
 """Other decisions where the paper leaves one open: those that make kernels the most different."""
 

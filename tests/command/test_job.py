@@ -153,7 +153,10 @@ def test_a_batch_leaves_a_record_and_a_table_and_returns_the_mean_length(
     lengths = [result.length for result in solve_many("fig13", "pdg", range(4), iterations=20)]
     job = made("algo=pdg", "tracking=none", "iterations=20", "seeds='0-3'", mode=RunMode.MULTIRUN)
     assert job.run() == pytest.approx(sum(lengths) / 4)
-    assert listing(tmp_path / "job") == {"config.yaml", "batch.json", "trials.csv", "progress"}
+    assert listing(tmp_path / "job") == {
+        *("config.yaml", "batch.json", "trials.csv", "progress"),
+        *("path.png", "convergence.png"),  # of the best trial
+    }
     assert len((tmp_path / "job" / "trials.csv").read_text("utf-8").splitlines()) == 5
     assert (tmp_path / "job" / "progress").read_text("utf-8") == "4"
 

@@ -7,6 +7,7 @@ import pytest
 
 from acoexp import Grid
 from acoexp.compare.measures import Sample, configuration_row, pair_rows
+from acoexp.trial.features import NAMES
 from acoexp.trial.trials import Trials
 
 K = 20
@@ -18,6 +19,7 @@ def sample(label: str, x1: list[int], found: list[bool], l2: list[float], name: 
     first = np.array([cycle or np.nan for cycle in x1])
     features = {"x1": first, "x2": first, "x3": first, "l1": np.full(n, 7.0), "l2": np.array(l2)}
     features["lost_ants"] = np.arange(n, dtype=np.float64)
+    features = {**dict.fromkeys(NAMES, np.full(n, np.nan)), **features, "cycles": np.full(n, float(K))}
     return Sample(label, name, 7.0, np.array(found), features, np.full((n, K), 7.0))
 
 
@@ -78,7 +80,9 @@ def test_what_is_measured_of_trials_is_nan_where_it_is_undefined() -> None:
     grid = Grid([[0, 0, 0], [0, 0, 0], [0, 0, 0]], name="yard")
     pairs = np.array([[[0, 2], [0, 2]], [[4, 0], [-1, -1]], [[-1, -1], [-1, -1]]], dtype=np.int32)
     lost = np.array([[0, 0], [0, 1], [1, 1]], dtype=np.int32)
-    trials = Trials(np.arange(3, dtype=np.uint64), pairs, lost, np.ones(3, dtype=np.int64))
+    trials = Trials(
+        np.arange(3, dtype=np.uint64), pairs, lost, np.ones(3, np.int64), np.full(3, 2, np.int32), np.zeros((3, 5))
+    )
     measured = Sample.of("mine", grid, trials)
     assert (measured.configuration, measured.map, measured.optimum) == ("mine", "yard", grid.optimum)
     assert measured.found.tolist() == [True, False, False]

@@ -10,12 +10,15 @@ import pytest
 from acoexp.compare.measures import Sample, configuration_row, pair_rows
 from acoexp.compare.tables import tables_of
 from acoexp.report.table import Table
+from acoexp.trial.features import NAMES
 
 
 def sample(configuration: str, found: list[bool], l2: list[float]) -> Sample:
     """Return trials on a map whose optimum is 7; x1 is 4 in all of them, x2 and x3 in none."""
     n = len(found)
     features = {
+        **dict.fromkeys(NAMES, np.full(n, np.nan)),
+        **{"turns": np.arange(n) % 2, "turning": np.full(n, np.pi / 4), "cycles": np.full(n, 20.0)},
         **{"x1": np.full(n, 4.0), "x2": np.full(n, np.nan), "x3": np.full(n, np.nan)},
         **{"l1": np.full(n, 7.0), "l2": np.array(l2), "lost_ants": np.arange(n, dtype=np.float64)},
     }
@@ -40,6 +43,11 @@ def test_features_stand_with_their_deviation_and_a_dash_where_no_trial_has_one(t
     assert (quick["x1"], quick["x2"]) == ("4.0 ± 0.0", "-")
     assert quick["l1"] == "7.0000 ± 0.00"
     assert (quick["l2"], quick["lost ants"]) == ("7.0000 ± 0.00", "9.5 ± 5.9")
+
+
+def test_the_quality_of_paths_has_a_dash_where_it_is_not_known(tables: dict[str, Table]) -> None:
+    quick = row(tables["Quality of paths"])
+    assert (quick["turns"], quick["turning"], quick["detour"]) == ("0.5 ± 0.5", "0.79 ± 0.00", "-")
 
 
 def test_success_is_counted_with_its_rate_and_the_time_that_it_takes(tables: dict[str, Table]) -> None:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 from dataclasses import FrozenInstanceError
 from typing import Any
 
 import numpy as np
 import pytest
+from samples import random_grid
 
 from acoexp import Grid, MapError
 from acoexp.grid import Frame
+from acoexp.grid.any_angle import any_angle_length
 
 OPEN = np.zeros((3, 4), dtype=int)
 PATH = [(0, 0), (1, 1), (2, 2), (2, 3)]
@@ -221,3 +224,19 @@ def test_a_path_across_an_obstacle_or_past_its_corner_is_refused() -> None:
         with pytest.raises(MapError, match=r"move 1 of a path.* is not allowed under the rule 'no_cut'"):
             grid.measure(path)
     assert grid.measure([(0, 0), (1, 0), (1, 1), (1, 2)]) == (3, 0)
+
+
+def test_the_clearance_of_a_cell_is_the_distance_of_the_nearest_obstacles_centre() -> None:
+    grid = random_grid(3, 9, 14, "free")
+    walls = np.argwhere(grid.obstacles)
+    for cell in np.ndindex(grid.shape):
+        nearest = min(math.dist(cell, wall) for wall in walls.tolist())
+        assert grid.clearance[cell] == pytest.approx(nearest, abs=1e-12)
+    assert np.isnan(Grid(OPEN).clearance).all()
+
+
+@pytest.mark.parametrize(("moves", "squeezes"), [("free", True), ("no_squeeze", False), ("no_cut", False)])
+def test_an_any_angle_path_squeezes_where_a_move_does(moves: str, squeezes: bool) -> None:
+    grid = Grid([[0, 1, 0], [0, 0, 1], [0, 0, 0], [1, 0, 0]], start=(0, 0), goal=(3, 2), moves=moves)
+    length = any_angle_length(grid.obstacles, (0, 0), (3, 2), squeezes)
+    assert grid.any_angle_optimum == pytest.approx(length)

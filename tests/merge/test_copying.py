@@ -58,6 +58,19 @@ def test_what_is_brought_is_what_was_there(
     assert batch.table.tobytes() == Trials.of(one_by_one).table.tobytes()
 
 
+def test_a_trials_artifacts_are_brought_too(what: Setup, prepared: Prepared, tmp_path: Path) -> None:
+    there, here = (prepared(tmp_path / place / "mlflow.db") for place in ("there", "here"))
+    (result,) = Solver(what.grid, what.settings).solve_many([5])
+    there.log(Trial(what, result, artifacts={"path.csv": b"a path", "path.png": b"its picture"}))
+    merge(there.store, here.store)
+    (run,) = here.store.search("")
+    (tmp_path / "brought").mkdir()
+    folder = here.store.client.download_artifacts(run.info.run_id, "", str(tmp_path / "brought"))
+    assert {file.name: file.read_bytes() for file in Path(folder).iterdir()} == {
+        "path.csv": b"a path", "path.png": b"its picture",
+    }  # fmt: skip
+
+
 def test_a_batch_whose_artifacts_are_gone_is_told_of_and_what_was_brought_before_stays(
     elsewhere: Path, what: Setup, prepared: Prepared, tmp_path: Path
 ) -> None:

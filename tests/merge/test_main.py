@@ -142,3 +142,11 @@ def test_an_interruption_says_that_what_was_brought_is_kept(
     with pytest.raises(SystemExit, match="130"):
         main([str(elsewhere), "--into", str(tmp_path / "mlflow.db")])
     assert capsys.readouterr().err == "acoexp: interrupted; what was brought is kept\n"
+
+
+def test_it_brings_the_runs_of_the_experiment_that_is_named(
+    elsewhere: Path, prepared: Prepared, tmp_path: Path, capsys: Capture
+) -> None:
+    prepared(tmp_path / "mlflow.db")
+    said = refusal(str(elsewhere), "--into", str(tmp_path / "mlflow.db"), "--experiment", "x", capsys=capsys)
+    assert said.startswith("tracking.uri: no experiment 'x' at ")

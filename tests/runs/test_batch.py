@@ -63,7 +63,7 @@ def test_a_batch_is_one_run_with_aggregates_and_a_table(store: MlflowTracker, tm
     client = store.store.client
     csv = Path(client.download_artifacts(run.info.run_id, "trials.csv", str(tmp_path))).read_text("utf-8")
     assert csv.count("\n") == 11
-    history = client.get_metric_history(run.info.run_id, "best_length")
+    history = client.get_metric_history(run.info.run_id, "cycle_length")
     assert {point.step: point.value for point in history} == dict(enumerate(batch.curve.tolist(), 1))
     assert kept(store, what).table.tobytes() == batch.table.tobytes() == Trials.of(one_by_one).table.tobytes()
 

@@ -37,18 +37,18 @@ class Noting(NoTracker):
 
 def test_a_trial_that_was_kept_is_found_again_with_what_python_finds(store: MlflowTracker) -> None:
     kept = keep_trial(WHAT, 3, store)
-    (found,) = store.find(WHAT.configuration_id, {kept.trial.identity}).values()
+    (found,) = store.find(WHAT.configuration_id, {kept.identity}).values()
     result = solve(YARD, "aco", 3, **SETTINGS)
-    assert kept.trial.result.as_dict() == result.as_dict()
+    assert kept.result.as_dict() == result.as_dict()
     assert (found.kind, found.metrics["l1"]) == ("trial", result.l1)
-    assert store.has(kept.trial.identity)
+    assert store.has(kept.identity)
 
 
 @pytest.mark.parametrize("resume", [True, False])
 def test_the_tracker_is_told_whether_what_it_has_of_the_same_trial_stays(resume: bool) -> None:
     tracker = Noting()
     kept = keep_trial(WHAT, 3, tracker, resume=resume)
-    assert tracker.kept == [(kept.trial, resume)]
+    assert tracker.kept == [(kept, resume)]
 
 
 def test_if_nothing_is_said_it_stays() -> None:

@@ -61,6 +61,7 @@ class Colony:
     order: str = "in_turn"
     dead_end: str = "lost"
     max_steps: int | None = None
+    patience: int | None = None
     source: str = "force_edge"
     obstacles: str = "sum"
 
@@ -212,7 +213,7 @@ class End:
 
 def run(grid: Any, colony: Colony, seed: int) -> Found:
     """Run one trial (Sect. 3.4)."""
-    random, found, best = Random(seed), Found(), math.inf
+    random, found, best, in_vain = Random(seed), Found(), math.inf, 0
     ends = [End(grid, colony, grid.start, grid.goal)]
     if colony.order == "two_ended":
         ends.append(End(grid, colony, grid.goal, grid.start))
@@ -281,8 +282,11 @@ def run(grid: Any, colony: Colony, seed: int) -> Found:
                 end.update([path[::step] for path in shortened], colony)
         found.lost.append(colony.ants - len(arrived))
         found.curve.append(min(map(pair_of, shortened), key=length_of, default=None))
+        in_vain += 1
         for raw, path in zip(arrived, shortened, strict=True):
             if length_of(pair_of(path)) < best:
                 best, found.path = length_of(pair_of(path)), path
-                found.raw_path = raw if colony.algo == "pdg" else None
+                found.raw_path, in_vain = raw if colony.algo == "pdg" else None, 0
+        if in_vain == colony.patience:
+            break
     return found

@@ -72,6 +72,7 @@ def settings_of(colony: Colony) -> dict[str, Any]:
         "order",
         "dead_end",
         "max_steps",
+        "patience",
     )
     guided = {"guidance": colony.guidance} if colony.algo == "pf" else {}
     return {

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from acoexp.errors import SettingsError
-from acoexp.tracking.open import check_uri, open_tracker
+from acoexp.tracking.open import check_uri, experiment_named, open_tracker
 
 
 @pytest.fixture(autouse=True)
@@ -59,7 +59,10 @@ def test_a_tracker_that_there_is_not_is_refused(config: dict[str, Any], said: st
             {"name": "none", "uri": "x"},
             "tracking.uri is not a known key; expected one of: none: it has no parameters",
         ),
-        ({"name": "mlflow", "urn": "x"}, "tracking.urn is not a known key; expected one of: tracking.uri"),
+        (
+            {"name": "mlflow", "urn": "x"},
+            "tracking.urn is not a known key; expected one of: tracking.uri, tracking.experiment",
+        ),
         ({"name": "mlflow", "uri": 3}, "tracking.uri: expected a text; got 3"),
         ({"name": "mlflow", "uri": "???"}, "tracking.uri: expected a text; got nothing"),
         ({"name": "mlflow", "uri": None}, "tracking.uri: expected a text; got nothing"),
@@ -88,3 +91,18 @@ def test_any_store_that_lasts_will_do(uri: str) -> None:
 def test_an_address_that_is_refused_is_shown_without_its_password() -> None:
     said = refusal(name="mlflow", uri="sqlite://?mode=memory&password=s3cret")
     assert said.endswith("got 'sqlite://?mode=memory&password=***'")
+
+
+def test_an_experiment_is_named_by_its_key_or_by_mlflows_variable(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert "experiment 'acoexp'" in open_tracker({"name": "mlflow"}).where
+    monkeypatch.setenv("MLFLOW_EXPERIMENT_NAME", "theirs")
+    assert "experiment 'theirs'" in open_tracker({"name": "mlflow"}).where
+    assert "experiment 'mine'" in open_tracker({"name": "mlflow", "experiment": "mine"}).where
+    monkeypatch.setenv("MLFLOW_EXPERIMENT_NAME", "")
+    assert "experiment 'acoexp'" in open_tracker({"name": "mlflow", "experiment": None}).where
+
+
+@pytest.mark.parametrize("name", ["", " ", " mine", "mine\n", "a\x1bb", "x" * 251, "???"])
+def test_a_name_that_no_experiment_can_have_is_refused(name: str) -> None:
+    with pytest.raises(SettingsError, match=r"^tracking.experiment, or MLFLOW_EXPERIMENT_NAME: "):
+        experiment_named(name)

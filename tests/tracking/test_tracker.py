@@ -11,7 +11,9 @@ from acoexp import Grid, solve
 from acoexp.registry.resolve import resolve
 from acoexp.tracking.setup import Setup, Trial
 from acoexp.tracking.tracker import NoTracker
+from acoexp.trial.outcome import Batch
 from acoexp.trial.seeds import parse_seeds
+from acoexp.trial.table import TABLE
 from acoexp.trial.trials import Trials
 
 SEEDS = parse_seeds("0-9")
@@ -38,7 +40,7 @@ def test_what_it_was_given_it_has_not(tracker: NoTracker, tmp_path: Path) -> Non
     tracker.log_failure(setup, 1, "the part broke")
     log = tracker.begin(setup, SEEDS)
     log.keep(Trials.of([result]))
-    log.finish(None, np.zeros(1), [], {})
+    log.finish(Batch(np.zeros(0, TABLE), np.zeros(1), np.zeros(1), [], 0, 0.0), {"path.csv": b"x"})
     log.abandon("enough")
     assert not tracker.has(trial.identity)
     assert not tracker.has(setup.identity(SEEDS))

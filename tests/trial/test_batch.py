@@ -12,7 +12,8 @@ from acoexp import Grid, solve
 from acoexp.errors import StrategyError
 from acoexp.registry.resolve import resolve
 from acoexp.trial import batch
-from acoexp.trial.batch import Batch, run_batch
+from acoexp.trial.batch import run_batch
+from acoexp.trial.outcome import Batch
 from acoexp.trial.result import Result
 from acoexp.trial.solver import Solver
 from acoexp.trial.trials import Trials

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from acoexp.grid import path_length
-from acoexp.trial.features import Features, features_of, x2_last
+from acoexp.trial.features import Features, best_so_far, features_of, prolonged, x2_last
 
 OPTIMUM_1, LONGER_1 = path_length(12, 13), path_length(14, 14)
 """30.3848 and 33.7990, the two lengths of Table 1."""
@@ -69,6 +69,21 @@ def test_the_published_rows_fit_the_other_reading_of_x2_too(row: tuple[int, floa
 
 def features(*curve: float) -> tuple[int, int, int, float, float]:
     return tuple(features_of(np.array(curve)))  # type: ignore[return-value]
+
+
+def test_the_best_so_far_falls_and_is_there_from_the_first_length_on() -> None:
+    found = best_so_far(np.array([np.nan, 5.0, np.nan, 4.0, 6.0]))
+    np.testing.assert_array_equal(found, [np.nan, 5.0, 5.0, 4.0, 4.0])
+
+
+@given(st.lists(st.sampled_from([(-1, -1), (3, 0), (4, 0), (5, 0)]), min_size=1, max_size=6), st.integers(0, 3))
+def test_a_trial_that_stays_as_in_its_last_cycle_keeps_all_of_its_features(
+    pairs: list[tuple[int, int]], more: int
+) -> None:
+    longer = prolonged(np.array(pairs), len(pairs) + more)
+    curves = [[np.nan if straight < 0 else float(straight) for straight, _ in cut] for cut in (pairs, longer)]
+    assert len(longer) == len(pairs) + more
+    np.testing.assert_equal(*(features_of(np.array(curve)) for curve in curves))
 
 
 def test_x1_is_the_first_cycle_that_found_the_best_length() -> None:

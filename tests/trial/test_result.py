@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 import numpy as np
+import pytest
 
 from acoexp import Grid, Result
 
@@ -77,7 +78,8 @@ def test_it_says_everything_as_json_with_null_for_what_is_not_there() -> None:
     assert (said["x1"], said["l1"], said["l1_pair"], said["optimum"]) == (2, SQRT8, [0, 2], SQRT8)
     assert (said["l2"], said["l2_pair"], said["raw_path"]) == (None, None, None)
     assert said["curve"] == [None, SQRT8, None]
-    assert (said["lost_ants"], said["ant_steps"]) == ([1, 0, 1], 12)
+    assert (said["lost_ants"], said["ant_steps"], said["cycles"]) == ([1, 0, 1], 12, 3)
+    assert (said["turns"], said["detour"]) == (0.0, pytest.approx(1.0))
     assert said["path"] == [[0, 0], [1, 1], [2, 2]]
 
 
@@ -85,6 +87,7 @@ def test_where_no_ant_ever_arrived_only_the_map_is_known() -> None:
     said = LOST.as_dict()
     assert {key for key, value in said.items() if value is None} == {
         "l1", "l2", "l1_pair", "l2_pair", "path", "raw_path",
+        "turns", "turning", "clearance_mean", "clearance_least", "detour",
     }  # fmt: skip
     assert said["optimum_pair"] == (0, 2)
 

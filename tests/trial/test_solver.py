@@ -21,7 +21,7 @@ from acoexp.colony.random import uniform
 from acoexp.registry.load_map import as_grid
 from acoexp.registry.resolve import resolve
 from acoexp.strategies import Diffusion
-from acoexp.trial.failures import Failure
+from acoexp.trial.outcome import Failure
 from acoexp.trial.solver import Solver
 
 JIT = not numba.config.DISABLE_JIT
@@ -216,3 +216,27 @@ def test_a_trial_that_was_broken_off_leaves_nothing_to_the_next() -> None:
     whole = [outcome for outcome in outcomes if isinstance(outcome, Result)]
     assert 5 < len(whole) < 35
     assert [everything(solver.solve(result.seed)) for result in whole] == list(map(everything, whole))
+
+
+@pytest.mark.parametrize("order", ["in_turn", "lock_step"])
+@pytest.mark.parametrize("patience", [1, 4, 30, 10**30])
+def test_with_patience_a_trial_is_cut_after_so_many_cycles_without_better(patience: int, order: str) -> None:
+    whole = acoexp.solve("env2", "aco", 3, iterations=30, order=order)
+    cut = acoexp.solve("env2", "aco", 3, iterations=30, order=order, patience=patience)
+    best, ends = math.inf, 30
+    last_better = 0
+    for cycle, length in enumerate(whole.curve.tolist(), 1):
+        if length < best:
+            best, last_better = length, cycle
+        if cycle - last_better >= patience:
+            ends = cycle
+            break
+    assert cut.cycles == len(cut.lost_ants) == ends
+    assert cut.curve_pairs.tolist() == whole.curve_pairs[:ends].tolist()
+    assert cut.lost_ants.tolist() == whole.lost_ants[:ends].tolist()
+    assert cut.length == best
+
+
+def test_cycles_in_which_no_ant_arrives_try_the_patience_too() -> None:
+    result = acoexp.solve(TRAP, "aco", 0, iterations=50, beta=100, field={"repulsion": 0}, ants=1, patience=5)
+    assert result.cycles == (5 if result.path is None else result.x1 + 5)

@@ -26,17 +26,21 @@ def results() -> list[Result]:
     return [*results[:5], nothing]
 
 
+CYCLES = 10
+
+
 def rows(*lengths: float, x1: int = 3) -> NDArray[np.void]:
     """Return trials that found such lengths; nan for one that never arrived."""
     made = np.zeros(len(lengths), TABLE)
     made["seed"], made["l1"], made["l2"] = np.arange(len(lengths)), lengths, lengths
+    made["cycles"] = CYCLES
     made["x1"] = np.where(np.isnan(made["l1"]), 0, x1)
     return made
 
 
 def test_aggregates_are_those_of_the_defined_values(results: list[Result]) -> None:
     optimum = min(r.l1 for r in results[:5])
-    summary = aggregate(Trials.of(results).table, optimum, 12)
+    summary = aggregate(Trials.of(results).table, optimum)
     found = [r for r in results if r.l1 == optimum]
     assert (summary.trials, summary.never_arrived) == (6, 1)
     assert summary.success_rate == len(found) / 6
@@ -55,20 +59,20 @@ def test_the_csv_reads_back_and_what_is_undefined_is_empty(results: list[Result]
 
 
 def test_without_a_success_nobody_knows_how_long_one_takes() -> None:
-    summary = aggregate(rows(8.0, 9.0), optimum=7.0, iterations=10)
+    summary = aggregate(rows(8.0, 9.0), optimum=7.0)
     assert summary.success_rate == 0.0
     assert math.isnan(summary.expected_cycles)
 
 
 def test_a_trial_that_never_arrived_spends_all_its_cycles_and_counts_in_no_mean() -> None:
-    summary = aggregate(rows(7.0, math.nan, 7.0, math.nan, x1=4), optimum=7.0, iterations=10)
+    summary = aggregate(rows(7.0, math.nan, 7.0, math.nan, x1=4), optimum=7.0)
     assert (summary.trials, summary.never_arrived, summary.success_rate) == (4, 2, 0.5)
-    assert summary.expected_cycles == (4 + 10 + 4 + 10) / 2
+    assert summary.expected_cycles == (4 + CYCLES + 4 + CYCLES) / 2
     assert (summary.means["x1"], summary.means["l1"]) == (4.0, 7.0)
 
 
 def test_what_no_trial_has_has_no_mean_and_one_trial_no_deviation() -> None:
-    summary = aggregate(rows(7.0), optimum=7.0, iterations=10)
+    summary = aggregate(rows(7.0), optimum=7.0)
     assert math.isnan(summary.means["x2"])
     assert math.isnan(summary.deviations["l1"])
     assert summary.means["l1"] == 7.0
@@ -77,8 +81,10 @@ def test_what_no_trial_has_has_no_mean_and_one_trial_no_deviation() -> None:
 def test_a_table_of_many_slices_is_written_row_by_row(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(table, "_SLICE", 2)
     lines = list(csv_lines(rows(*range(1, 6))))
-    assert lines[0] == "seed,x1,x2,x3,l1,l2,lost_ants,ant_steps"
-    assert lines[1:] == [f"{seed},3,,,{seed + 1}.0,{seed + 1}.0,0,0" for seed in range(5)]
+    quality = "turns,turning,clearance_mean,clearance_least,detour"
+    assert lines[0] == f"seed,x1,x2,x3,l1,l2,{quality},cycles,lost_ants,ant_steps"
+    expected = [f"{seed},3,,,{seed + 1}.0,{seed + 1}.0,0.0,0.0,0.0,0.0,0.0,10,0,0" for seed in range(5)]
+    assert lines[1:] == expected  # of cycles alone 0 stands for none
 
 
 def test_the_largest_seed_is_written_exactly() -> None:

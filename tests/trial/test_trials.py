@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from acoexp import Result, solve_many
+from acoexp.trial.features import best_so_far, curve_of
 from acoexp.trial.trials import Trials
 
 SETTINGS = {"iterations": 12, "ants": 3}
@@ -42,6 +43,21 @@ def test_what_is_kept_reads_back_bit_for_bit(results: list[Result]) -> None:
     again = Trials.from_bytes(trials.to_bytes())
     assert again.table.tobytes() == trials.table.tobytes()
     np.testing.assert_array_equal(again.lost_ants, trials.lost_ants)
+
+
+@pytest.mark.parametrize("name", ["x1", "x2", "x3", "l1", "l2", "cycles", "lost_ants", "ant_steps", "turns"])
+def test_trials_of_unequal_length_stand_side_by_side_with_the_features_of_each_alone(name: str) -> None:
+    short, long = (solve_many("env2", "aco", range(4), **SETTINGS, patience=n) for n in (2, 4))
+    other = [dataclasses.replace(result, seed=result.seed + 4) for result in long]
+    alone = np.concatenate([Trials.of([result]).table[name] for result in (*short, *other)])
+    np.testing.assert_array_equal(Trials.of([*short, *other]).table[name], alone)
+    np.testing.assert_array_equal(Trials.joined([Trials.of(other), Trials.of(short)]).table[name], alone)
+    assert len({result.cycles for result in short + other}) > 1
+
+
+def test_the_best_so_far_is_that_of_each_curve(results: list[Result]) -> None:
+    trials = Trials.of(results)
+    np.testing.assert_array_equal(curve_of(trials.best_pairs), best_so_far(trials.curves))
 
 
 def test_a_file_that_was_cut_off_is_told_of(results: list[Result]) -> None:

@@ -8,18 +8,18 @@ from typing import Any
 import numpy as np
 
 from acoexp.tracking.setup import Found, Setup, Trial
-from acoexp.trial.batch import Batch
 from acoexp.trial.features import NAMES
+from acoexp.trial.outcome import Batch
 from acoexp.trial.seeds import Seeds
 from acoexp.trial.table import Aggregates, aggregate
 
 
-def trial_record(trial: Trial, seconds: float) -> dict[str, Any]:
-    """Return the record of a trial that took so many seconds."""
+def trial_record(trial: Trial) -> dict[str, Any]:
+    """Return the record of a trial."""
     return {
         **trial.result.as_dict(),
         "lost_after": trial.result.lost_after,
-        "seconds": seconds,
+        "seconds": trial.seconds,
         "configuration_id": trial.setup.configuration_id,
         "config": trial.params,
     }
@@ -27,12 +27,11 @@ def trial_record(trial: Trial, seconds: float) -> dict[str, Any]:
 
 def batch_record(setup: Setup, seeds: Seeds, batch: Batch) -> dict[str, Any]:
     """Return the record of a batch with at least one finished trial."""
-    scalars = setup.settings.scalars
-    summary = aggregate(batch.table, setup.grid.optimum, scalars.iterations)
-    in_vain = batch.table["ant_steps"][np.isnan(batch.table["l1"])]
+    summary = aggregate(batch.table, setup.grid.optimum)
+    in_vain = batch.table[np.isnan(batch.table["l1"])]
     return {
         **_head(setup),
-        "lost_after": float(in_vain.mean()) / (scalars.ants * scalars.iterations) if in_vain.size else None,
+        "lost_after": float(in_vain["ant_steps"].sum() / in_vain["lost_ants"].sum()) if in_vain.size else None,
         "config": {**setup.params, "seeds": str(seeds)},
         **summary._asdict(),
         "failed": len(batch.failures),

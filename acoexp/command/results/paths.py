@@ -56,7 +56,7 @@ def write_path(result: Result, folder: Path) -> None:
     places = places_of(result)
     if places is None:
         return
-    _write_lines(folder / CSV, _csv_lines(places))
+    _write_lines(folder / CSV, csv_lines(places))
     if places.unit == "m":
         _write_lines(folder / YAML, _yaml_lines(places))
 
@@ -81,7 +81,7 @@ def places_of(result: Result) -> Places | None:
     )
 
 
-def _csv_lines(places: Places) -> Iterator[str]:
+def csv_lines(places: Places) -> Iterator[str]:
     """Yield the heading and a line for each place, in full precision."""
     yield f"x_{places.unit},y_{places.unit},heading_rad,length_{places.unit},row,col"
     numbers = np.column_stack([places.points, places.headings, places.lengths]).tolist()

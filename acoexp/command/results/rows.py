@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from acoexp.trial.features import CYCLES, NAMES
+from acoexp.trial.features import NAMES
 from acoexp.trial.table import TABLE, Aggregates, aggregate
 
 
@@ -67,11 +67,11 @@ def _of_trials(records: list[Mapping[str, Any]]) -> Row:
     table = np.zeros(len(records), TABLE)
     for row, record in zip(table, records, strict=True):
         for name in NAMES:
-            row[name] = _feature(name, record[name])
+            row[name] = _feature(name, record.get(name))
     optimum = records[0]["optimum"]
     return Row(
         *_head(records[0]),
-        summary=aggregate(table, optimum, 0)._replace(expected_cycles=math.nan),  # not in the table
+        summary=aggregate(table, optimum),
         found=int((table["l1"] == optimum).sum()),
         milliseconds=1000.0 * _mean_of(records, "seconds"),
         lost_after=_mean_of(records, "lost_after"),
@@ -89,7 +89,7 @@ def _feature(name: str, value: Any) -> float:
     if isinstance(value, list):  # lost ants, cycle by cycle
         return float(sum(value))
     if value is None:
-        return 0.0 if name in CYCLES else math.nan
+        return math.nan if TABLE[name].kind == "f" else 0.0
     return float(value)
 
 

@@ -16,6 +16,11 @@ from acoexp.command.results.records import TRIAL, read_record
 from acoexp.command.results.rows import Row, rows_of
 from acoexp.trial.result import why_lost
 
+_WIDE = 110
+"""Characters of a line from which on there is room for what makes a path good to drive."""
+_QUALITY = {"turns": ("turns", 1), "clear": ("clearance_least", 2), "detour": ("detour", 3)}
+"""Columns of it: each feature, and the digits of its mean."""
+
 _NOT_VARIED = {"algo", "map.name", "seed", "seeds"}
 
 
@@ -23,7 +28,7 @@ def print_trial(folder: Path, where: str) -> None:
     """Print what one trial found."""
     (row,) = rows_of([read_record(folder / TRIAL)])
     console = _console()
-    console.print(_table([row], spread=False))
+    console.print(_table([row], spread=False, wide=console.width >= _WIDE))
     _warn_of_lost(console, [row])
     console.print(f"files: {folder}\nrun:   {where}", highlight=False, soft_wrap=True)
 
@@ -40,7 +45,7 @@ def print_sweep(records: Sequence[Mapping[str, Any]], folder: Path, where: str, 
     rows = rows_of(records)
     console = _console()
     if rows:
-        console.print(_table(rows, spread=True))
+        console.print(_table(rows, spread=True, wide=console.width >= _WIDE))
     _warn_of_lost(console, rows)
     console.print(f"{ended}\nfiles: {folder}\nruns:  {where}", highlight=False, soft_wrap=True)
 
@@ -80,16 +85,17 @@ def _console() -> Console:
     return plain() if plain().is_terminal else plain(width=1000)
 
 
-def _table(rows: Sequence[Row], spread: bool) -> Table:
+def _table(rows: Sequence[Row], spread: bool, wide: bool) -> Table:
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
     varied = _varied(rows)
     headings = ["algo", "map", *varied, "x1", "x2", "x3", "l1", "l2", "optimum", "gap", "lost"]
+    headings += _QUALITY if wide else ()
     if spread:
         headings += ["found", "ms"]
     for heading in headings:
         _add_column(table, heading, is_named=heading == "map" or heading in varied)
     for row in rows:
-        table.add_row(*_texts(row, varied, spread))
+        table.add_row(*_texts(row, varied, spread, wide))
     return table
 
 
@@ -99,11 +105,11 @@ def _add_column(table: Table, heading: str, is_named: bool) -> None:
     table.add_column(heading, justify="left" if left else "right", no_wrap=not is_named, overflow="fold")
 
 
-def _texts(row: Row, varied: Sequence[str], spread: bool) -> list[str]:
+def _texts(row: Row, varied: Sequence[str], spread: bool, wide: bool) -> list[str]:
     means, deviations = row.summary.means, row.summary.deviations
 
     def shown(name: str, digits: int) -> str:
-        return _mean(means[name], deviations[name], digits)
+        return _mean(means.get(name, math.nan), deviations.get(name, math.nan), digits)
 
     digits = 1 if spread else 0
     percent = 100.0 / row.optimum
@@ -111,6 +117,7 @@ def _texts(row: Row, varied: Sequence[str], spread: bool) -> list[str]:
     texts = [row.algo, row.map, *(row.config.get(key, "") for key in varied)]
     texts += [*(shown(n, digits) for n in ("x1", "x2", "x3")), *(shown(n, 4) for n in ("l1", "l2"))]
     texts += [f"{row.optimum:.4f}", gap, shown("lost_ants", digits)]
+    texts += [shown(*column) for column in _QUALITY.values()] if wide else []
     if spread:
         texts += [f"{row.found}/{row.summary.trials}", _mean(row.milliseconds, math.nan, 1)]
     return texts

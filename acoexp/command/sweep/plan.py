@@ -109,10 +109,10 @@ class Plan:
 
     def leave_out_known(self) -> Left:
         """Return what is not in the store yet, and the records of what is."""
-        left, seen = Left([], [], 0, 0, 0), set[tuple[str | None, str]]()
+        left, seen = Left([], [], 0, 0, 0), set[tuple[str | None, str, str]]()
         in_store = self._in_store()
         for overrides, job, seeds in self._each():
-            identity = job.tracker.address, job.setup.identity(seeds)
+            identity = job.tracker.address, job.tracker.where, job.setup.identity(seeds)
             if job.report is None and identity in seen:
                 left = left._replace(repeated=left.repeated + 1)
                 continue
@@ -151,10 +151,10 @@ class Plan:
             seed = next((int(text.partition("=")[2]) for text in overrides if _is_seed(text)), job.keys.seed)
             yield overrides, job, seed if job.seeds is None else job.seeds
 
-    def _in_store(self) -> dict[tuple[str | None, str], Found]:
-        """Return the finished runs of the sweep's jobs by store and identity, where kept trials count."""
+    def _in_store(self) -> dict[tuple[str | None, str, str], Found]:
+        """Return the finished runs of the sweep's jobs by where they are and identity, where kept trials count."""
         return {
-            (tracker.address, identity): run
+            (tracker.address, tracker.where, identity): run
             for (tracker, configuration), wanted in self._wanted().items()
             for identity, run in tracker.find(configuration, wanted).items()
         }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -33,6 +34,8 @@ OWNER, WRITER, ALIVE = "owner", "writer", "alive"
 """Tags: which process writes the run, by which of its writers, and when it last did, in milliseconds."""
 REPLACES = "anew"
 """Tag of a run that takes the place of what is there: when it began, in milliseconds."""
+NOTE = "mlflow.note.content"
+"""Tag of MLflow's: what its page says of the run, in Markdown."""
 REASON = "reason"
 """Tag: why the run has failed."""
 _MANY = 1e15
@@ -101,6 +104,15 @@ class RunWriter:
     def log_file(self, file: Path, folder: str | None) -> None:
         """Keep a file as an artifact in a folder."""
         self.do(lambda run_id: self._store.client.log_artifact(run_id, str(file), folder))
+
+    def log_files(self, files: Mapping[str, bytes], folder: str | None = None) -> None:
+        """Keep files as artifacts in a folder, given what is in each by its name."""
+        if not files:
+            return
+        with tempfile.TemporaryDirectory() as draft:
+            for name, content in files.items():
+                (Path(draft) / name).write_bytes(content)
+            self.do(lambda run_id: self._store.client.log_artifacts(run_id, draft, folder))
 
     def heartbeat(self) -> None:
         """Note that the process that writes this run is at work."""

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 EXPERIMENT = "acoexp"
+"""Name of the experiment where none is chosen."""
 PATIENCE = 90.0
 """Seconds for which a store may be away before a trial is given up."""
 
@@ -57,12 +58,14 @@ class Store:
 
     Attributes:
         uri: Its address.
+        experiment: Name of the experiment in it that runs are in.
         file: Its database file, if it is one of SQLite's.
         folder: Where that lies.
         shown: The address as it may be shown, without a password.
     """
 
-    def __init__(self, uri: str) -> None:
+    def __init__(self, uri: str, experiment: str = EXPERIMENT) -> None:
+        self.experiment = experiment
         sqlite = _SQLITE.fullmatch(uri)
         self.file = None if sqlite is None else Path(unquote(sqlite[2])).absolute()
         self._scheme, self._query = ("", "") if sqlite is None else (sqlite[1], sqlite[3])
@@ -89,7 +92,7 @@ class Store:
                     check_writable(self.file)
                 self._prepare_experiment(self.client)
                 if self.file is not None:
-                    bring_artifacts_along(self.file, EXPERIMENT)
+                    bring_artifacts_along(self.file, self.experiment)
 
     def check_there(self) -> None:
         """Look once for the experiment, without waiting for a store that is away.
@@ -172,9 +175,9 @@ class Store:
     @cached_property
     def experiment_id(self) -> str:
         """The experiment's number in this store."""
-        experiment = self.client.get_experiment_by_name(EXPERIMENT)
+        experiment = self.client.get_experiment_by_name(self.experiment)
         if experiment is None:
-            raise TrackingError(f"tracking.uri: no experiment {EXPERIMENT!r} at {self.shown}")
+            raise TrackingError(f"tracking.uri: no experiment {self.experiment!r} at {self.shown}")
         return str(experiment.experiment_id)
 
     def _make(self, draft: Path) -> None:
@@ -182,9 +185,9 @@ class Store:
         self._prepare_experiment(_client_for(f"{address_of(draft, self._scheme)}{self._query}"))
 
     def _prepare_experiment(self, client: MlflowClient) -> None:
-        experiment = client.get_experiment_by_name(EXPERIMENT)
+        experiment = client.get_experiment_by_name(self.experiment)
         if experiment is None:
-            client.create_experiment(EXPERIMENT, self._artifacts())
+            client.create_experiment(self.experiment, self._artifacts())
         elif experiment.lifecycle_stage != "active":
             client.restore_experiment(experiment.experiment_id)
 
@@ -229,13 +232,13 @@ class Store:
 
 
 @cache
-def _store_at(uri: str, absolute: str) -> Store:
-    return Store(uri)
+def _store_at(uri: str, absolute: str, experiment: str) -> Store:
+    return Store(uri, experiment)
 
 
-def open_store(uri: str) -> Store:
+def open_store(uri: str, experiment: str = EXPERIMENT) -> Store:
     """Return the store at an address, the same object for all who ask in this process; nothing is touched yet."""
-    return _store_at(uri, Store(uri).uri)
+    return _store_at(uri, Store(uri).uri, experiment)
 
 
 def _client_for(uri: str) -> MlflowClient:

@@ -1,11 +1,11 @@
-"""MLflow as the store: experiment ``acoexp``, one run per trial, or one per batch with a table of its trials."""
+"""MLflow as the store: in one experiment a run for each trial, or one for a batch with a table of its trials."""
 
 from __future__ import annotations
 
 import logging
 import sqlite3
 import tempfile
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,16 +14,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.errors import SettingsError
-from acoexp.tracking.mlflow.content import batch_metrics, trial_metrics, versions
+from acoexp.grid.grid import Grid
+from acoexp.tracking.mlflow.content import batch_metrics, description, trial_metrics, versions
 from acoexp.tracking.mlflow.left_behind import close_left_behind
 from acoexp.tracking.mlflow.lookup import LocalRun, finished_runs
 from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.moving import is_away
-from acoexp.tracking.mlflow.run import CONFIGURATION, IDENTITY, KIND, RunWriter, is_whole, keep_one
+from acoexp.tracking.mlflow.run import (
+    CONFIGURATION,
+    IDENTITY,
+    KIND,
+    LONGEST_TAG,
+    NOTE,
+    RunWriter,
+    is_whole,
+    keep_one,
+)
 from acoexp.tracking.mlflow.store import EXPERIMENT, open_store
-from acoexp.tracking.setup import Found, Setup, Trial
+from acoexp.tracking.setup import Artifacts, Found, Setup, Trial
+from acoexp.trial.outcome import Batch
 from acoexp.trial.seeds import Seeds, parse_seeds
-from acoexp.trial.table import Aggregates
+from acoexp.trial.table import csv_lines
 from acoexp.trial.trials import Trials
 
 if TYPE_CHECKING:
@@ -42,12 +53,12 @@ ARCHIVES = "trials"
 
 
 class MlflowTracker:
-    """Keeps trials in the MLflow store at an address."""
+    """Keeps trials in an experiment of the MLflow store at an address."""
 
-    def __init__(self, uri: str) -> None:
-        self.store = open_store(uri)
+    def __init__(self, uri: str, experiment: str = EXPERIMENT) -> None:
+        self.store = open_store(uri, experiment)
         self.address = self.store.uri
-        self.where = f"MLflow experiment {EXPERIMENT!r} at {self.store.shown}"
+        self.where = f"MLflow experiment {experiment!r} at {self.store.shown}"
 
     def prepare(self) -> None:
         """Create the store and the experiment if they are not there; close the runs that were left behind.
@@ -73,9 +84,9 @@ class MlflowTracker:
         """Tell whether a look into a local database that was not moved shows a finished run of each identity."""
         file = self.store.file
         try:
-            if file is None or is_away(file, EXPERIMENT):
+            if file is None or is_away(file, self.store.experiment):
                 return False
-            runs = finished_runs(file, EXPERIMENT, IDENTITY, identities)
+            runs = finished_runs(file, self.store.experiment, IDENTITY, identities)
         except sqlite3.Error:  # whoever makes the store ready tells why
             return False
         return {run.data.tags[IDENTITY] for run in runs if is_whole(run)} >= {*identities}
@@ -109,7 +120,8 @@ class MlflowTracker:
             return
         writer = self._writer(trial.setup, "seed", trial.result.seed, resume)
         try:
-            writer.begin(list(trial_metrics(trial.result)))
+            writer.begin(list(trial_metrics(trial.result, trial.seconds)))
+            writer.log_files(trial.artifacts)
             writer.finish()
         except BaseException as problem:
             writer.abort(str(problem) or type(problem).__name__)
@@ -125,7 +137,7 @@ class MlflowTracker:
         """Begin to keep a batch as one run."""
         writer = self._writer(setup, "seeds", seeds, resume)
         writer.begin()
-        return BatchRun(writer, setup.grid.optimum)
+        return BatchRun(writer, setup.grid)
 
     def _finished(
         self, identities: Collection[str], configuration_id: str | None = None
@@ -135,7 +147,7 @@ class MlflowTracker:
         file = self.store.file
         if file is not None:
             return self.store.with_retries(
-                lambda: finished_runs(file, EXPERIMENT, IDENTITY, identities), "cannot be searched"
+                lambda: finished_runs(file, self.store.experiment, IDENTITY, identities), "cannot be searched"
             )
         if len(identities) > _FEW:
             as_quick = _LOOK_UP * len(identities)
@@ -161,6 +173,7 @@ class MlflowTracker:
             CONFIGURATION: setup.configuration_id,
             IDENTITY: setup.identity(seeds),
             KIND: "trial" if key == "seed" else "batch",
+            NOTE: description(setup.settings, setup.grid, setup.command, f"{key} {seeds}")[:LONGEST_TAG],
             **versions(setup.settings.packages),
         }
         return RunWriter(self.store, name, {**setup.params, key: str(seeds)}, tags, replace=not resume)
@@ -186,41 +199,32 @@ class MlflowTracker:
 class BatchRun:
     """A batch that is being kept as a run."""
 
-    def __init__(self, writer: RunWriter, optimum: float) -> None:
-        self._writer, self._optimum, self._portions = writer, optimum, 0
+    def __init__(self, writer: RunWriter, grid: Grid) -> None:
+        self._writer, self._grid, self._portions = writer, grid, 0
 
     def keep(self, portion: Trials) -> None:
         """Keep a portion of finished trials as an artifact."""
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / f"{self._portions:05}.npz"
-            file.write_bytes(portion.to_bytes())
-            self._writer.log_file(file, ARCHIVES)
+        self._writer.log_files({f"{self._portions:05}.npz": portion.to_bytes()}, ARCHIVES)
         self._portions += 1
         self._writer.heartbeat()
 
-    def finish(
-        self,
-        summary: Aggregates | None,
-        curve: NDArray[np.float64],
-        table: Iterable[str],
-        failed: Mapping[int, str],
-    ) -> None:
-        """Keep the aggregates and the table, and end the run."""
-        if summary is not None:
-            self._keep_table(summary, curve, table, failed)
+    def finish(self, batch: Batch, artifacts: Artifacts) -> None:
+        """Keep the aggregates, the table, and what is carried of the best trial, and end the run."""
+        failed = {failure.seed: str(failure.reason) for failure in batch.failures}
+        if len(batch.table):
+            self._writer.log_metrics(list(batch_metrics(batch, self._grid)))
+            self._keep_table(batch)
+            self._writer.log_files(artifacts)
         if not failed:
             return self._writer.finish()
         self._writer.log_text("".join(f"{seed}: {why}\n" for seed, why in failed.items()), "failed.txt")
         return self._writer.fail(f"{len(failed)} trials failed: {next(iter(failed.values()))}")
 
-    def _keep_table(
-        self, summary: Aggregates, curve: NDArray[np.float64], table: Iterable[str], failed: Mapping[int, str]
-    ) -> None:
-        self._writer.log_metrics(list(batch_metrics(summary, curve, len(failed), self._optimum)))
+    def _keep_table(self, batch: Batch) -> None:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "trials.csv"
             with file.open("w", encoding="utf-8") as lines:
-                lines.writelines(f"{line}\n" for line in table)
+                lines.writelines(f"{line}\n" for line in csv_lines(batch.table))
             self._writer.log_file(file, None)
 
     def abandon(self, reason: str) -> None:

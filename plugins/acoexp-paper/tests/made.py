@@ -38,7 +38,8 @@ def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[in
     pairs = np.tile(grid.optimum_pair, (n, iterations, 1))
     pairs[before | leaves] += (2, 0)
     show(n)
-    return Trials(seeds.array(), pairs, random.integers(0, 3, (n, iterations)), np.ones(n, dtype=np.int64))
+    lost, steps, cycles = random.integers(0, 3, (n, iterations)), np.ones(n, np.int64), np.full(n, iterations)
+    return Trials(seeds.array(), pairs, lost, steps, cycles.astype(np.int32), np.zeros((n, 5)))
 
 
 def says(kind: Kind, **samples: Sample) -> int:

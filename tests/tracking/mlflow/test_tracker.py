@@ -12,19 +12,22 @@ import pytest
 from mlflow.entities import Run
 
 from acoexp import Grid
-from acoexp.errors import TrackingError
+from acoexp.errors import StrategyError, TrackingError
 from acoexp.registry.resolve import resolve
 from acoexp.tracking.mlflow.run import RunWriter
 from acoexp.tracking.mlflow.tracker import MlflowTracker
 from acoexp.tracking.setup import Found, Setup, Trial
+from acoexp.trial.outcome import Batch, Failure
 from acoexp.trial.result import Result
 from acoexp.trial.seeds import Seeds, parse_seeds
 from acoexp.trial.solver import Solver
-from acoexp.trial.table import aggregate, csv_lines
+from acoexp.trial.table import TABLE, csv_lines
 from acoexp.trial.trials import Trials
 
 YARD = Grid([[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], name="yard")
 SEEDS = parse_seeds("0-9")
+LEAST = {"optimum", "any_angle_optimum", "cycles", "lost_ants", "ant_steps"}
+"""Metrics of a trial in which no ant arrived."""
 
 
 def setup(rho: float, **settings: Any) -> Setup:
@@ -81,11 +84,36 @@ def test_a_trial_that_was_kept_is_found_under_its_identity(tracker: MlflowTracke
     assert tracker.has(one.identity)
 
 
+def test_a_run_carries_its_artifacts_before_it_is_finished(
+    tracker: MlflowTracker, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    one = dataclasses.replace(trial(setup(0.021)), artifacts={"path.csv": b"x", "path.png": b"y"})
+    with monkeypatch.context() as killed:
+        killed.setattr(RunWriter, "log_files", lambda *_: 1 / 0)
+        with pytest.raises(ZeroDivisionError):
+            tracker.log(one)
+    assert not tracker.has(one.identity)
+    tracker.log(one)
+    (run,) = [run for run in runs_of(tracker, one.setup) if run.info.status == "FINISHED"]
+    folder = tracker.store.client.download_artifacts(run.info.run_id, "", str(tmp_path))
+    assert {file.name: file.read_bytes() for file in Path(folder).iterdir()} == one.artifacts
+
+
+def test_trials_are_looked_for_in_their_own_experiment(tracker: MlflowTracker) -> None:
+    other = MlflowTracker(tracker.store.uri, "another one")
+    other.prepare()
+    one = trial(setup(0.022))
+    other.log(one)
+    assert (other.has(one.identity), other.has_all([one.identity])) == (True, True)
+    assert (tracker.has(one.identity), tracker.has_all([one.identity])) == (False, False)
+    assert other.where.startswith("MLflow experiment 'another one' at ")
+
+
 def test_where_no_ant_ever_arrived_the_run_is_finished_all_the_same(tracker: MlflowTracker) -> None:
     one = trial(setup(0.03))
     lost = dataclasses.replace(one.result, curve_pairs=np.full((4, 2), -1, dtype=np.int32), moves=None)
     tracker.log(Trial(one.setup, lost))
-    assert set(found(tracker, one.setup, 0)[one.identity].metrics) == {"optimum", "lost_ants"}
+    assert set(found(tracker, one.setup, 0)[one.identity].metrics) == LEAST
 
 
 def test_the_same_trial_is_kept_once_unless_it_is_to_take_the_place_of_the_one_before(
@@ -150,12 +178,17 @@ def test_two_finished_runs_of_one_identity_become_one_when_they_are_found(
 # --- batches
 
 
+def batch_of(trials: Trials) -> Batch:
+    """Return a batch of trials that were all run, in half a second each."""
+    return Batch(trials.table, trials.curves[0], trials.curves[0], [], len(trials), len(trials) / 2)
+
+
 def test_a_batch_is_one_run_with_its_aggregates_and_its_table(tracker: MlflowTracker, tmp_path: Path) -> None:
     what = setup(0.11)
     trials = Trials.of(results(what))
     log = tracker.begin(what, SEEDS)
     log.keep(trials)
-    log.finish(aggregate(trials.table, YARD.optimum, 4), trials.curves[0], csv_lines(trials.table), {})
+    log.finish(batch_of(trials), {})
     (run,) = runs_of(tracker, what)
     assert (run.info.status, run.info.run_name) == ("FINISHED", "aco yard seeds 0-9")
     assert run.data.params == {**what.params, "seeds": "0-9"}
@@ -168,7 +201,8 @@ def test_a_batch_is_one_run_with_its_aggregates_and_its_table(tracker: MlflowTra
 
 def test_a_batch_with_trials_that_failed_says_which_and_has_failed(tracker: MlflowTracker, tmp_path: Path) -> None:
     what = setup(0.12)
-    tracker.begin(what, SEEDS).finish(None, np.zeros(4), [], {4: "the part broke", 7: "so did this"})
+    failures = [Failure(4, StrategyError("the part broke")), Failure(7, StrategyError("so did this"))]
+    tracker.begin(what, SEEDS).finish(Batch(np.zeros(0, TABLE), *np.zeros((2, 4)), failures, 0, 0.0), {})
     (run,) = runs_of(tracker, what)
     assert (run.info.status, run.data.tags["reason"]) == ("FAILED", "2 trials failed: the part broke")
     said = tracker.store.client.download_artifacts(run.info.run_id, "failed.txt", str(tmp_path))
@@ -180,7 +214,7 @@ def test_a_batch_whose_seeds_are_too_long_for_a_param_is_found_as_any_other(trac
     trials = Trials.of(results(what, many))
     log = tracker.begin(what, many)
     log.keep(trials)
-    log.finish(aggregate(trials.table, YARD.optimum, 4), trials.curves[0], csv_lines(trials.table), {})
+    log.finish(batch_of(trials), {})
     (run,) = runs_of(tracker, what)
     assert (run.data.params.get("seeds"), len(run.info.run_name or "")) == (None, 250)
     assert found(tracker, what, many)[what.identity(many)].trials == 300
@@ -190,8 +224,7 @@ def test_a_batch_whose_seeds_are_too_long_for_a_param_is_found_as_any_other(trac
 def test_a_batch_that_lost_its_trials_says_so(tracker: MlflowTracker, caplog: pytest.LogCaptureFixture) -> None:
     what = setup(0.126)
     trials = Trials.of(results(what))
-    summary = aggregate(trials.table, YARD.optimum, 4)
-    tracker.begin(what, SEEDS).finish(summary, trials.curves[0], csv_lines(trials.table), {})
+    tracker.begin(what, SEEDS).finish(batch_of(trials), {})
     assert kept(tracker, what) == []
     (said,) = caplog.messages
     assert ": its trials are no longer in file://" in said
@@ -240,7 +273,7 @@ def test_of_a_batch_that_two_kept_at_once_the_trials_of_one_stay(
         for _ in range(2):
             log = tracker.begin(what, SEEDS)
             log.keep(trials)
-            log.finish(aggregate(trials.table, YARD.optimum, 4), trials.curves[0], csv_lines(trials.table), {})
+            log.finish(batch_of(trials), {})
     assert [run.info.status for run in runs_of(tracker, what)] == ["FINISHED"] * 2
     for writer, run_id in looking:
         keep_only_this(writer, run_id)
