@@ -56,7 +56,7 @@ def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:
             for ant in range(colony.ants):
                 if not walk(room, ant):
                     return NO_PATH
-                record.ant_steps[0] += room.made[ant]
+                record.ant_steps[cycle] += room.made[ant]
                 if raw.length[ant] < np.inf:
                     if not polish(room, ant):
                         return cycle + 1
@@ -90,7 +90,7 @@ def _begin(room: Any, record: Any, seed: Any) -> None:
     best.steps[:] = 0
     record.pairs[:] = -1
     record.lost[:] = 0
-    record.ant_steps[0] = 0
+    record.ant_steps[:] = 0
 
 
 @compiled

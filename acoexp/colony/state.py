@@ -237,7 +237,7 @@ class Record(NamedTuple):
         pairs: int32[iterations, 2], the straight and diagonal moves of the best path found in each cycle; -1
             where all ants were lost.
         lost: int32[iterations], ants lost in each cycle.
-        ant_steps: int64[1], moves made by all ants together.
+        ant_steps: int64[iterations], moves made by all ants together in each cycle.
     """
 
     pairs: NDArray[np.int32]

@@ -42,7 +42,7 @@ class Result:
         curve_pairs: int[cycles, 2], (straight, diagonal) moves of the best path found in each cycle; -1 where
             all ants were lost. There are as many cycles as ``iterations``, or fewer where ``patience`` ended it.
         lost_ants: int[cycles], ants lost in each cycle.
-        ant_steps: Moves made by all ants together.
+        cycle_steps: int64[cycles], moves made by all ants together in each cycle.
     """
 
     algo: str
@@ -52,7 +52,12 @@ class Result:
     raw_moves: NDArray[np.uint8] | None
     curve_pairs: NDArray[np.int32]
     lost_ants: NDArray[np.int32]
-    ant_steps: int
+    cycle_steps: NDArray[np.int64]
+
+    @property
+    def ant_steps(self) -> int:
+        """Moves made by all ants together."""
+        return int(self.cycle_steps.sum())
 
     @cached_property
     def path(self) -> NDArray[np.int64] | None:

@@ -203,7 +203,7 @@ class Solver:
             raw_moves=_moves(best, 1) if arrived and self._kernels.post is not None else None,
             curve_pairs=record.pairs[:cycles],
             lost_ants=record.lost[:cycles],
-            ant_steps=int(record.ant_steps[0]),
+            cycle_steps=record.ant_steps[:cycles],
         )
 
     def _check(self, verdict: int, seed: int) -> None:

@@ -16,7 +16,7 @@ from acoexp.trial.quality import Quality
 from acoexp.trial.result import Result
 from acoexp.trial.table import TABLE
 
-_COLUMNS = ("seeds", "curve_pairs", "lost_ants", "ant_steps", "cycles", "quality")
+_COLUMNS = ("seeds", "curve_pairs", "lost_ants", "cycle_steps", "cycles", "quality")
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +29,7 @@ class Trials:
             where all ants were lost. A trial of fewer cycles stays as it was in its last one, which changes none
             of its features.
         lost_ants: int[n, longest], ants lost in each cycle; 0 after the last.
-        ant_steps: int64[n], moves made by all ants together.
+        cycle_steps: int[n, longest], moves made by all ants together in each cycle; 0 after the last.
         cycles: int32[n], cycles that were run.
         quality: float64[n, 5], that of each path, in the order of :class:`~acoexp.trial.quality.Quality`.
     """
@@ -37,7 +37,7 @@ class Trials:
     seeds: NDArray[np.uint64]
     curve_pairs: NDArray[Any]
     lost_ants: NDArray[Any]
-    ant_steps: NDArray[np.int64]
+    cycle_steps: NDArray[Any]
     cycles: NDArray[np.int32]
     quality: NDArray[np.float64]
 
@@ -50,7 +50,7 @@ class Trials:
             seeds=np.array([r.seed for r in ordered], dtype=np.uint64),
             curve_pairs=_smallest(np.array([prolonged(r.curve_pairs, longest) for r in ordered])),
             lost_ants=_smallest(np.array([np.pad(r.lost_ants, (0, longest - r.cycles)) for r in ordered])),
-            ant_steps=np.array([r.ant_steps for r in ordered], dtype=np.int64),
+            cycle_steps=_smallest(np.array([np.pad(r.cycle_steps, (0, longest - r.cycles)) for r in ordered])),
             cycles=np.array([r.cycles for r in ordered], dtype=np.int32),
             quality=np.array([r.quality for r in ordered], dtype=np.float64),
         )
@@ -70,8 +70,8 @@ class Trials:
         more = cycles - self.curve_pairs.shape[1]
         if more <= 0:
             return self
-        pairs, lost = prolonged(self.curve_pairs, cycles), np.pad(self.lost_ants, ((0, 0), (0, more)))
-        return replace(self, curve_pairs=pairs, lost_ants=lost)
+        counts = {name: np.pad(getattr(self, name), ((0, 0), (0, more))) for name in ("lost_ants", "cycle_steps")}
+        return replace(self, curve_pairs=prolonged(self.curve_pairs, cycles), **counts)
 
     def among(self, seeds: NDArray[np.uint64]) -> Trials:
         """Return those whose seeds are among these."""
@@ -97,7 +97,7 @@ class Trials:
     def table(self) -> NDArray[np.void]:
         """The features, one row for each trial, of type ``TABLE``."""
         table = np.zeros(len(self), dtype=TABLE)
-        table["seed"], table["ant_steps"] = self.seeds, self.ant_steps
+        table["seed"], table["ant_steps"] = self.seeds, self.cycle_steps.sum(axis=1, dtype=np.int64)
         table["lost_ants"], table["cycles"] = self.lost_ants.sum(axis=1), self.cycles
         for name, column in zip(Quality._fields, self.quality.T, strict=True):
             table[name] = column
@@ -129,4 +129,6 @@ class Trials:
 
 def _smallest(values: NDArray[Any]) -> NDArray[Any]:
     """Return values in the smallest type of whole numbers that holds them."""
-    return values.astype(np.int16 if values.max(initial=0) <= np.iinfo(np.int16).max else np.int32)
+    largest = values.max(initial=0)
+    kinds = (np.int16, np.int32, np.int64)
+    return values.astype(next(kind for kind in kinds if largest <= np.iinfo(kind).max))

@@ -203,7 +203,7 @@ def new_given_up(at_once: int, cells: int) -> GivenUp:
 def new_record(iterations: int) -> Record:
     """Return the record of a trial of so many cycles, to be filled."""
     pairs, lost = np.empty((iterations, 2), dtype=np.int32), np.empty(iterations, dtype=np.int32)
-    return Record(pairs, lost, np.zeros(1, dtype=np.int64))
+    return Record(pairs, lost, np.zeros(iterations, dtype=np.int64))
 
 
 def _copied(own: Own) -> Own:

@@ -28,7 +28,7 @@ def result(*pairs: tuple[int, int], moves: list[int] | None = BEST, raw_moves: l
         raw_moves=None if raw_moves is None else np.array(raw_moves, dtype=np.uint8),
         curve_pairs=np.array(pairs, dtype=np.int32),
         lost_ants=np.array([pair[0] < 0 for pair in pairs], dtype=np.int32),
-        ant_steps=12,
+        cycle_steps=np.full(len(pairs), 12 // len(pairs)),
     )
 
 

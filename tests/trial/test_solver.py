@@ -117,6 +117,7 @@ def test_where_no_ant_arrives_there_is_no_path_and_no_length(algo: str) -> None:
     assert np.isnan(result.curve).all()
     assert result.lost_ants.tolist() == [3] * 4
     assert result.ant_steps == 3 * 4 * 2
+    assert result.cycle_steps.tolist() == [3 * 2] * 4
     assert (result.x1, result.x2, result.x3) == (0, 0, 0)
     assert math.isnan(result.l1)
     assert math.isnan(result.l2)
@@ -240,3 +241,9 @@ def test_with_patience_a_trial_is_cut_after_so_many_cycles_without_better(patien
 def test_cycles_in_which_no_ant_arrives_try_the_patience_too() -> None:
     result = acoexp.solve(TRAP, "aco", 0, iterations=50, beta=100, field={"repulsion": 0}, ants=1, patience=5)
     assert result.cycles == (5 if result.path is None else result.x1 + 5)
+
+
+def test_steps_of_a_cycle_are_those_by_which_a_longer_trial_has_more() -> None:
+    longer = acoexp.solve("fig13", "aco", iterations=6, ants=4)
+    shorter = [acoexp.solve("fig13", "aco", iterations=cycles, ants=4).ant_steps for cycles in range(1, 7)]
+    assert longer.cycle_steps.cumsum().tolist() == shorter

@@ -43,6 +43,7 @@ def test_what_is_kept_reads_back_bit_for_bit(results: list[Result]) -> None:
     again = Trials.from_bytes(trials.to_bytes())
     assert again.table.tobytes() == trials.table.tobytes()
     np.testing.assert_array_equal(again.lost_ants, trials.lost_ants)
+    np.testing.assert_array_equal(again.cycle_steps, [result.cycle_steps for result in results])
 
 
 @pytest.mark.parametrize("name", ["x1", "x2", "x3", "l1", "l2", "cycles", "lost_ants", "ant_steps", "turns"])

@@ -32,9 +32,16 @@ def result(frame: Frame | None, moves: list[int] | None = ROUND) -> Result:
     curve = np.full((1, 2), -1, dtype=np.int32)
     if moves is not None:
         curve[0] = sum(move % 2 == 0 for move in moves), sum(move % 2 for move in moves)
-    lost = np.zeros(1, dtype=np.int32)
+    lost, steps = np.zeros(1, dtype=np.int32), np.ones(1, dtype=np.int64)
     return Result(
-        algo="nav", seed=0, grid=grid, moves=made, raw_moves=made, curve_pairs=curve, lost_ants=lost, ant_steps=1
+        algo="nav",
+        seed=0,
+        grid=grid,
+        moves=made,
+        raw_moves=made,
+        curve_pairs=curve,
+        lost_ants=lost,
+        cycle_steps=steps,
     )
 
 

@@ -26,7 +26,7 @@ BEST, WALKED = [SE, SE, E], [E, E, SE, SE]
 def result(moves: list[int] | None = BEST, raw_moves: list[int] | None = None, **changes: Any) -> Result:
     """Return a trial, with a convergence curve that loses all ants once."""
     made: dict[str, Any] = {
-        "algo": "pdg", "seed": 3, "grid": YARD, "ant_steps": 1,
+        "algo": "pdg", "seed": 3, "grid": YARD, "cycle_steps": np.ones(4, dtype=np.int64),
         "moves": None if moves is None else np.array(moves, dtype=np.uint8),
         "raw_moves": None if raw_moves is None else np.array(raw_moves, dtype=np.uint8),
         "curve_pairs": np.array([[5, 0], [-1, -1], [1, 2], [3, 1]], dtype=np.int32),
