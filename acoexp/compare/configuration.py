@@ -6,17 +6,12 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from omegaconf import OmegaConf
-from omegaconf.errors import OmegaConfBaseException
-from yaml import YAMLError
-
+from acoexp.compare.overrides import nested
 from acoexp.console.plain import printable
 from acoexp.errors import SettingsError, StrategyError, shown
 from acoexp.registry.resolve import resolve
-from acoexp.strategies.groups import STRATEGY_GROUPS
 from acoexp.trial.settings import Settings
 
-_KEY = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*")
 _NAMED = re.compile(r"([^:=]*[^:= ]) ?: ?(.*)")
 
 
@@ -58,26 +53,10 @@ def _parse(text: str, base: Mapping[str, Any]) -> Configuration:
     label, described = (named[1], named[2]) if named else (text, text)
     algo, *overrides = described.split() or [""]
     try:
-        given = _nested(overrides)
+        given = nested(overrides)
         merged = {**base, **given}
         if isinstance(base.get("field"), Mapping) and isinstance(given.get("field"), Mapping):
             merged["field"] = {**base["field"], **given["field"]}
         return Configuration(label, described, resolve(algo, merged))
     except (SettingsError, StrategyError) as problem:
         raise type(problem)(f"report.cells: {shown(text)}: {problem}") from problem
-
-
-def _nested(overrides: Sequence[str]) -> dict[str, Any]:
-    """Return ``key=value`` texts as nested settings; a part's name stands under ``name``."""
-    config = OmegaConf.create({})
-    for override in overrides:
-        key, _, value = override.partition("=")
-        if not _KEY.fullmatch(key) or "=" not in override:
-            raise SettingsError(f"expected key=value; got {shown(override)}")
-        dotted = f"{key}.name={value}" if key in STRATEGY_GROUPS else override
-        try:
-            config.merge_with_dotlist([dotted])
-        except (OmegaConfBaseException, YAMLError, ValueError, TypeError, RecursionError) as problem:
-            raise SettingsError(f"expected key=value, as on the command line; got {shown(override)}") from problem
-    nested = OmegaConf.to_container(config, resolve=False)
-    return {str(key): value for key, value in nested.items()} if isinstance(nested, dict) else {}

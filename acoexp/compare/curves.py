@@ -6,16 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
-from matplotlib.ticker import StrMethodFormatter
 
-from acoexp.compare.measures import Sample
-from acoexp.report.labels import any_signs, as_it_is
-from acoexp.report.palette import DASHES, SERIES
+from acoexp.compare.drawing import PLAIN, add_legend, bare, look, save
+from acoexp.compare.sample import Sample
+from acoexp.report.labels import as_it_is
 
 
 def draw_curves(samples: Sequence[Sample], folder: Path) -> None:
@@ -25,23 +21,9 @@ def draw_curves(samples: Sequence[Sample], folder: Path) -> None:
     panels = figure.subplots(len(maps), squeeze=False)[:, 0]
     for name, axes in zip(maps, panels, strict=True):
         _draw(axes, [sample for sample in samples if sample.map == name])
-    _add_legend(
-        figure, panels[0].get_lines(), [sample.configuration for sample in samples if sample.map == maps[0]]
-    )
-    FigureCanvasAgg(figure)
-    with any_signs():
-        with rc_context({"svg.hashsalt": "acoexp"}):
-            figure.savefig(folder / "curves.svg", metadata={"Date": None})
-        figure.savefig(folder / "curves.png", dpi=150)
-
-
-def _add_legend(figure: Figure, lines: Sequence[Line2D], configurations: Sequence[str]) -> None:
-    """Name the curves; by texts that are set later, as a legend leaves out what begins with ``_``."""
-    title, labels = "median and quartiles over trials", [*map(as_it_is, configurations), "exact optimum"]
-    blanks = [" "] * len(labels)
-    legend = figure.legend(lines, blanks, title=title, loc="outside lower center", ncols=2, frameon=False)
-    for text, label in zip(legend.get_texts(), labels, strict=True):
-        text.set_text(label)
+    labels = [sample.configuration for sample in samples if sample.map == maps[0]]
+    add_legend(figure, panels[0].get_lines(), [*labels, "exact optimum"], "median and quartiles over trials")
+    save(figure, folder, "curves")
 
 
 def _draw(axes: Axes, samples: Sequence[Sample]) -> None:
@@ -49,13 +31,14 @@ def _draw(axes: Axes, samples: Sequence[Sample]) -> None:
     for place, sample in enumerate(samples):
         lower, median, upper = quartiles(sample)
         cycles = np.arange(1, sample.iterations + 1)
-        colour = SERIES[place % len(SERIES)]
-        axes.fill_between(cycles, lower, upper, color=colour, alpha=0.15, linewidth=0)
-        axes.plot(cycles, median, DASHES[place % len(DASHES)], color=colour)
+        axes.fill_between(cycles, lower, upper, color=look(place)["color"], alpha=0.15, linewidth=0)
+        axes.plot(cycles, median, **look(place))
     axes.axhline(optimum, color="0.4", linewidth=0.8)
-    axes.set(title=f"{as_it_is(samples[0].map)}, optimum {optimum:.4f}", xscale="log")
+    last = max(sample.iterations for sample in samples)
+    axes.set(title=f"{as_it_is(samples[0].map)}, optimum {optimum:.4f}", xscale="log", xlim=(0.95, 1.05 * last))
     axes.set(xlabel="cycle (log scale)", ylabel="best path length in the cycle (cells)")
-    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axes.xaxis.set_major_formatter(PLAIN)
+    bare(axes)
 
 
 def quartiles(sample: Sample) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:

@@ -3,70 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoexp.compare import statistics
-from acoexp.compare.statistics import Flags, Values
+from acoexp.compare.sample import Row, Sample
+from acoexp.compare.statistics import SIGNIFICANCE
 from acoexp.grid.grid import Grid
 from acoexp.trial.features import NAMES, defined
 from acoexp.trial.trials import Trials
 
-Row = dict[str, Any]
 
-SIGNIFICANCE = 0.05
-
-
-@dataclass(frozen=True, eq=False)
-class Sample:
-    """The trials of one configuration on one map, seeds 0..n-1.
-
-    Attributes:
-        configuration: The configuration's label.
-        map: The map's name.
-        optimum: Exact optimum of the map, in cells.
-        found: Whether each trial found the optimum, bool[n].
-        features: By name, float[n], nan where there is none.
-        curves: Best length found in each cycle, float[n, longest]; nan where all ants were lost. A trial that
-            ended sooner than another stays as it was in its last cycle.
-    """
-
-    configuration: str
-    map: str
-    optimum: float
-    found: Flags
-    features: dict[str, Values]
-    curves: NDArray[np.float64]
-
-    @classmethod
-    def of(cls, configuration: str, grid: Grid, trials: Trials) -> Sample:
-        """Return what is measured of a configuration's trials on a map."""
-        table = trials.table
-        return cls(
-            configuration=configuration,
-            map=grid.name,
-            optimum=grid.optimum,
-            found=table["l1"] == grid.optimum,
-            features={name: defined(name, table[name]) for name in NAMES},
-            curves=trials.curves,
-        )
-
-    @property
-    def iterations(self) -> int:
-        """Cycles of the longest trial."""
-        return int(self.curves.shape[1])
-
-    def hitting_time(self, censored: int) -> Values:
-        """Return the cycle in which each trial found the optimum, or ``censored``, float[n]."""
-        return np.where(self.found, self.features["x1"], censored)
-
-    def convergence(self, worst: float) -> Values:
-        """Return l2 of each trial, or ``worst`` where there is none, float[n]."""
-        return np.nan_to_num(self.features["l2"], nan=worst)
+def measured(configuration: str, grid: Grid, trials: Trials) -> Sample:
+    """Return what is measured of a configuration's trials on a map."""
+    table = trials.table
+    return Sample(
+        configuration=configuration,
+        map=grid.name,
+        optimum=grid.optimum,
+        found=table["l1"] == grid.optimum,
+        features={name: defined(name, table[name]) for name in NAMES},
+        curves=trials.curves,
+        steps=trials.cycle_steps.cumsum(axis=1, dtype=np.int64),
+    )
 
 
 def configuration_row(sample: Sample) -> Row:

@@ -1,63 +1,84 @@
-"""``report=compare``: any two or more configurations, on any maps, side by side."""
+"""``report=compare``: any two or more configurations, on any maps, side by side, and one verdict over the maps."""
 
 from __future__ import annotations
 
 import csv
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 
 from acoexp.compare.configuration import Configuration, parse_configurations
-from acoexp.compare.measures import Row, Sample, configuration_row, pair_rows
-from acoexp.compare.render import as_html, as_latex, as_markdown
-from acoexp.compare.tables import tables_of
-from acoexp.errors import AcoexpError, SettingsError, shown
+from acoexp.compare.contents import MANY_MAPS, Compared, write_report
+from acoexp.compare.export.ioh import export_trials
+from acoexp.compare.maps import MapFacts, load_distinct, parse_maps
+from acoexp.compare.measures import measured
+from acoexp.compare.sample import Sample
+from acoexp.errors import SettingsError
 from acoexp.grid.grid import Grid
 from acoexp.parameters import parameter
-from acoexp.registry.parts import build_part
 from acoexp.report.context import Context
-from acoexp.report.render import as_csv, as_json
 from acoexp.report.report import Report
 from acoexp.report.table import number
-from acoexp.trial.seeds import parse_seeds
+from acoexp.trial.seeds import Seeds, parse_seeds
 
-_TITLE = "Comparison of ant colonies"
+MOST_CYCLES = 10**8
+"""Cycles of all trials together that one report may have; each takes 16 bytes of memory."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Compare(Report):
-    """Configurations side by side: features, success, effect sizes, corrected tests, curves."""
+    """Configurations side by side: features, success, effect sizes, tests, curves; one verdict over maps."""
 
     cells: tuple[str, ...] = parameter(
         ("aco", "pd", "pdg", "pf"),
         "what is compared, each a preset and overrides, with a name if you like: 'more: pdg diffusion.gamma=0.02'",
     )
-    maps: tuple[str, ...] = parameter((), "names of maps, by default that of the command line")
+    maps: tuple[str, ...] = parameter(
+        (),
+        "maps, each a source, its file and keys, and numbers: fig13, 'rooms map.side=5#0-19', "
+        "'movingai:a.map.scen#0-49'; by default that of the command line",
+    )
     trials: int = parameter(
         100, "trials per configuration and map, with the same seeds for all", minimum=2, maximum=100_000
+    )
+    export: str = parameter(
+        "none", "trials in another program's format too: ioh, for IOHanalyzer", choices=("none", "ioh")
     )
 
     def check(self, context: Context) -> None:
         """Refuse configurations and maps that are not known, and parts that no configuration would use."""
-        self._configurations(context)
-        self._grids(context)
+        compared = self._configurations(context)
+        maps = sum(1 for _ in self._grids(context))
+        cycles = maps * self.trials * sum(one.settings.scalars.iterations for one in compared)
+        if cycles > MOST_CYCLES:
+            raise SettingsError(
+                f"report.trials: expected at most {MOST_CYCLES} cycles of all trials together; got {cycles}: "
+                f"{len(compared)} configurations on {maps} maps, {self.trials} trials each"
+            )
 
     def write(self, context: Context) -> Path:
         """Run all configurations on all maps and write the report."""
-        compared, grids = self._configurations(context), self._grids(context)
-        seeds = parse_seeds(f"0-{self.trials - 1}")
-        samples = [
-            Sample.of(one.label, grid, context.run(one.settings, grid, seeds, f"{one.label} on {grid.name}"))
-            for grid in grids
-            for one in compared
-        ]
+        compared, seeds = self._configurations(context), parse_seeds(f"0-{self.trials - 1}")
+        maps: list[MapFacts] = []
+        samples: list[list[Sample]] = []
+        for grid in self._grids(context):
+            maps.append(MapFacts.of(grid))
+            samples.append([self._sample(context, one, grid, seeds) for one in compared])
         with context.draft() as folder:
-            self._write_files(folder, compared, grids, samples)
+            write_report(folder, Compared(compared, maps, samples, self.trials))
+            if self.export == "ioh":
+                export_trials(folder / "ioh", compared, maps, samples)
         return context.folder
 
     def headline(self, folder: Path) -> Sequence[Sequence[str]]:
-        """Return how often and how soon each configuration found the optimum, and where it converged."""
+        """Return how often and how soon each configuration found the optimum, and where it converged.
+
+        Of many maps it is how the configurations rank over them.
+        """
+        with (folder / "ranks.csv").open(encoding="utf-8", newline="") as file:
+            ranks = list(csv.DictReader(file))
+        if int(ranks[0]["maps"]) > MANY_MAPS:
+            return [["cell", "mean rank", "best on"], *map(_rank, ranks)]
         with (folder / "cells.csv").open(encoding="utf-8", newline="") as file:
             rows = [_short(row) for row in csv.DictReader(file)]
         return [["map", "cell", "found", "expected cycles", "l2"], *rows]
@@ -70,57 +91,12 @@ class Compare(Report):
             )
         return parse_configurations(self.cells, context.own_settings)
 
-    def _grids(self, context: Context) -> list[Grid]:
-        return [_load(name) for name in dict.fromkeys(self.maps)] or [context.grid]
+    def _grids(self, context: Context) -> Iterator[Grid]:
+        """Yield the maps one by one: of a thousand, no more than one is in memory."""
+        yield from load_distinct(parse_maps(self.maps)) if self.maps else [context.grid]
 
-    def _write_files(
-        self, folder: Path, compared: Sequence[Configuration], grids: Sequence[Grid], samples: Sequence[Sample]
-    ) -> None:
-        from acoexp.compare.curves import draw_curves  # matplotlib takes its time to import
-
-        features, pairs = [configuration_row(sample) for sample in samples], pair_rows(samples)
-        tables, lead = tables_of(features, pairs), self._lead(compared, grids)
-        draw_curves(samples, folder)
-        svg = (folder / "curves.svg").read_text(encoding="utf-8")
-        texts = {
-            "index.html": as_html(_TITLE, lead, tables, svg),
-            "report.md": as_markdown(_TITLE, lead, tables, "curves.svg"),
-            "tables.tex": as_latex(tables),
-            "cells.csv": as_csv(features),
-            "pairs.csv": as_csv(pairs),
-            "report.json": as_json({**self._origin(compared, grids), "cells": features, "pairs": pairs}),
-        }
-        for name, text in texts.items():
-            (folder / name).write_text(text, encoding="utf-8")
-
-    def _lead(self, compared: Sequence[Configuration], grids: Sequence[Grid]) -> str:
-        named = "".join(f" {one.label} is {one.text}." for one in compared if one.label != one.text)
-        maps = ", ".join(grid.name for grid in grids)
-        return (
-            f"{len(compared)} configurations on {maps}: {self.trials} trials each, "
-            f"seeds 0 to {self.trials - 1} for all. acoexp {version('acoexp')}.{named}{_warning(compared)}"
-        )
-
-    def _origin(self, compared: Sequence[Configuration], grids: Sequence[Grid]) -> Row:
-        """Return what the numbers depend on."""
-        return {
-            "version": version("acoexp"),
-            "trials": self.trials,
-            "maps": {grid.name: {"digest": grid.digest, "optimum": grid.optimum} for grid in grids},
-            "packages": {one.label: one.settings.packages for one in compared},
-            "configurations": {one.label: one.settings.as_dict() for one in compared},
-        }
-
-
-def _warning(compared: Sequence[Configuration]) -> str:
-    """Say it where configurations may spend different numbers of walks, which no table shows."""
-    text = ""
-    for key in ("ants", "iterations", "patience"):
-        values = {one.label: getattr(one.settings.scalars, key) for one in compared}
-        if len(set(values.values())) > 1:
-            each = ", ".join(f"{label}: {value}" for label, value in values.items())
-            text += f" Warning: the configurations differ in {key} ({each}), so their efforts differ too."
-    return text
+    def _sample(self, context: Context, one: Configuration, grid: Grid, seeds: Seeds) -> Sample:
+        return measured(one.label, grid, context.run(one.settings, grid, seeds, f"{one.label} on {grid.name}"))
 
 
 def _short(row: dict[str, str]) -> list[str]:
@@ -128,9 +104,5 @@ def _short(row: dict[str, str]) -> list[str]:
     return [row["map"], row["cell"], f"{row['found']}/{row['trials']}", number(float(row["ert"])), l2]
 
 
-def _load(name: str) -> Grid:
-    try:
-        grid: Grid = build_part("map", name, {}).load()
-    except AcoexpError as problem:
-        raise type(problem)(f"report.maps: {shown(name)}: {problem}") from problem
-    return grid
+def _rank(row: dict[str, str]) -> list[str]:
+    return [row["cell"], f"{float(row['mean_rank']):.2f}", f"{row['best_on']}/{row['maps']}"]

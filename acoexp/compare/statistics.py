@@ -20,6 +20,7 @@ Values = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 LEVEL = 0.95
+SIGNIFICANCE = 0.05
 RESAMPLES = 2000
 _BATCH = 100  # resamples in memory at a time
 
@@ -64,20 +65,26 @@ def expected_running_time(cycles: Values, found: Flags) -> Estimate:
     return Estimate(*(1.0 / r if r > 0.0 else np.inf for r in (rate.value, rate.high, rate.low)))
 
 
+def a12(a: Values, b: Values) -> Any:
+    """Return the probability that a value of ``a`` is smaller than one of ``b``, ties counted half.
+
+    Args:
+        a: Measurements of which smaller ones are better, float[..., n].
+        b: Those of the other configuration, of the same shape.
+    """
+    n = a.shape[-1]
+    ranks = scipy.stats.rankdata(np.concatenate([a, b], axis=-1), axis=-1)
+    return (ranks[..., n:].mean(axis=-1) - (n + 1) / 2) / n
+
+
 def superiority(a: Values, b: Values) -> Estimate:
-    """Return A12, the probability that a value of ``a`` is smaller than one of ``b``, ties counted half.
+    """Return A12 with its interval; see :func:`a12`.
 
     Args:
         a: Measurements of which smaller ones are better, float[n].
         b: Those of the other configuration with the same seeds, float[n]; pairs are resampled together.
     """
-    n = a.size
-
-    def a12(trials: NDArray[Any], axis: int = -1) -> Any:
-        ranks = scipy.stats.rankdata(np.concatenate([a[trials], b[trials]], axis=axis), axis=axis)
-        return (ranks[..., n:].mean(axis=axis) - (n + 1) / 2) / n
-
-    return _bootstrap(a12, n)
+    return _bootstrap(lambda trials, axis=-1: a12(a[trials], b[trials]), a.size)
 
 
 def odds_ratio(a: Flags, b: Flags) -> Estimate:
@@ -112,6 +119,19 @@ def holm(p_values: Sequence[float]) -> list[float]:
     corrected = np.empty_like(p)
     corrected[order] = np.minimum(stepped, 1.0)
     return [float(value) for value in corrected]
+
+
+def interval_of_means(values: Values) -> Values:
+    """Return the bootstrap intervals of the columns' means, float[2, columns], rows drawn together.
+
+    Args:
+        values: float[rows, columns], a row for each map.
+    """
+    rows = len(values)
+    drawn = np.random.default_rng(0).multinomial(rows, np.full(rows, 1.0 / rows), size=RESAMPLES) / rows
+    tail = (1.0 - LEVEL) / 2.0
+    ends: Values = np.quantile(drawn @ values, (tail, 1.0 - tail), axis=0)
+    return ends
 
 
 def _bootstrap(statistic: Callable[..., Any], n: int) -> Estimate:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from acoexp.compare.measures import Row
+from acoexp.compare.sample import Row
 from acoexp.report.table import Table, interval, p_value
 
 

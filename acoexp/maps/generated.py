@@ -32,6 +32,7 @@ class GeneratedMap(MapSource):
     """A map that a seed stands for."""
 
     kind: ClassVar[str]
+    numbered = "seed"
 
     size: tuple[int, int] = parameter((50, 50), f"rows and columns, each from 1 to {LARGEST_SIDE}")
     seed: int = parameter(0, "whole number that the map follows from", minimum=0, maximum=2**64 - 1)

@@ -42,6 +42,8 @@ class Instance(NamedTuple):
 class MovingAI(MapSource):
     """A map of the MovingAI benchmarks, from start to goal, or as a row of a scenario says."""
 
+    numbered = "instance"
+
     path: str = parameter(REQUIRED, "the .map file, relative to the working directory")
     scenario: str | None = parameter(None, "a .scen file: start and goal are those of one of its rows")
     instance: int = parameter(0, "which row of the scenario, from 0", minimum=0, maximum=10**9)

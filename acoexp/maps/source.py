@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from typing import ClassVar
 
 from acoexp.grid.grid import Grid
 
 
 class MapSource(ABC):
-    """One way to get a map; subclasses are frozen dataclasses whose fields are their parameters."""
+    """One way to get a map; subclasses are frozen dataclasses whose fields are their parameters.
+
+    Attributes:
+        numbered: The whole-number parameter that tells its maps apart, such as a seed; None for a source of one
+            map.
+    """
+
+    numbered: ClassVar[str | None] = None
 
     @abstractmethod
     def load(self) -> Grid:

@@ -14,11 +14,22 @@ from typing import Any
 from acoexp.report.table import Table
 
 _STYLE = """\
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem; color: #222; }
+body { font: 16px/1.55 system-ui, sans-serif; max-width: 76rem; margin: 2.5rem auto; padding: 0 1.2rem; }
+body { color: #222; background: #fff; color-scheme: light; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin-bottom: .3rem; }
+h2 { font-size: 1.4rem; margin-top: 3rem; padding-bottom: .2rem; border-bottom: 1px solid #ddd; }
+h3 { font-size: 1.05rem; margin: 2rem 0 .3rem; }
+p.note, figcaption { font-size: .87rem; color: #555; max-width: 60rem; }
+p.verdict { border-left: 5px solid #0072B2; background: #f2f7fb; padding: .8rem 1.1rem; font-size: 1.06rem; }
+nav { font-size: .92rem; } nav a { margin-right: 1.2rem; }
+a { color: #0072B2; }
 div { overflow-x: auto; }
 table { border-collapse: collapse; border-top: 2px solid; border-bottom: 2px solid; font-size: .85rem; }
 th { border-bottom: 1px solid; text-align: left; }
-th, td { padding: .2rem .7rem; vertical-align: top; }
+th, td { padding: .22rem .7rem; vertical-align: top; white-space: nowrap; font-variant-numeric: tabular-nums; }
+tbody tr:nth-child(even) { background: #f7f7f7; }
+figure { margin: 1.5rem 0; }
+summary { cursor: pointer; font-weight: 600; margin: .8rem 0; }
 svg { max-width: 100%; height: auto; }
 """
 
@@ -34,8 +45,9 @@ _MARKDOWN_MARKS = re.compile(
 def html_page(title: str, body: Sequence[str]) -> str:
     """Return a page that needs no other file, of parts that are HTML already."""
     head = f'<meta charset="utf-8"><title>{escape(title)}</title>\n<style>\n{_STYLE}</style>'
+    view = '<meta name="viewport" content="width=device-width, initial-scale=1">'
     return (
-        f'<!DOCTYPE html>\n<html lang="en">\n<head>{head}</head>\n<body>\n'
+        f'<!DOCTYPE html>\n<html lang="en">\n<head>{head}{view}</head>\n<body>\n'
         + "\n".join(body)
         + "\n</body></html>\n"
     )

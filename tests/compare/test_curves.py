@@ -10,12 +10,13 @@ import pytest
 from PIL import Image
 
 from acoexp.compare.curves import draw_curves, quartiles
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 
 
 def sample(curves: list[list[float]], configuration: str = "c", name: str = "yard") -> Sample:
     """Return trials with such curves."""
-    return Sample(configuration, name, 7.0, np.zeros(len(curves), dtype=bool), {}, np.array(curves))
+    steps = np.ones((len(curves), len(curves[0])), dtype=np.int64)
+    return Sample(configuration, name, 7.0, np.zeros(len(curves), dtype=bool), {}, np.array(curves), steps)
 
 
 def test_quartiles_rank_lost_cycles_behind() -> None:
@@ -61,3 +62,8 @@ def test_a_picture_of_more_maps_is_higher(folder: Path, tmp_path: Path) -> None:
     with Image.open(folder / "curves.png") as two, Image.open(tmp_path / "curves.png") as one:
         assert two.width == one.width
         assert two.height > one.height
+
+
+def test_a_map_on_which_all_ants_are_lost_has_a_panel(tmp_path: Path) -> None:
+    draw_curves([sample([[np.nan, np.nan]], name) for name in ("mine", "theirs")], tmp_path)
+    assert "<!-- yard, optimum 7.0000 -->" in (tmp_path / "curves.svg").read_text("utf-8")

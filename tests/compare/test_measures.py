@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from acoexp import Grid
-from acoexp.compare.measures import Sample, configuration_row, pair_rows
+from acoexp.compare.measures import configuration_row, measured, pair_rows
+from acoexp.compare.sample import Sample
 from acoexp.trial.features import NAMES
 from acoexp.trial.trials import Trials
 
@@ -20,7 +21,8 @@ def sample(label: str, x1: list[int], found: list[bool], l2: list[float], name: 
     features = {"x1": first, "x2": first, "x3": first, "l1": np.full(n, 7.0), "l2": np.array(l2)}
     features["lost_ants"] = np.arange(n, dtype=np.float64)
     features = {**dict.fromkeys(NAMES, np.full(n, np.nan)), **features, "cycles": np.full(n, float(K))}
-    return Sample(label, name, 7.0, np.array(found), features, np.full((n, K), 7.0))
+    steps = np.ones((n, K), dtype=np.int64)
+    return Sample(label, name, 7.0, np.array(found), features, np.full((n, K), 7.0), steps)
 
 
 QUICK = sample("quick", [1, 2] * 10, [True] * 20, [7.0] * 20)
@@ -81,12 +83,17 @@ def test_what_is_measured_of_trials_is_nan_where_it_is_undefined() -> None:
     pairs = np.array([[[0, 2], [0, 2]], [[4, 0], [-1, -1]], [[-1, -1], [-1, -1]]], dtype=np.int32)
     lost = np.array([[0, 0], [0, 1], [1, 1]], dtype=np.int32)
     trials = Trials(
-        np.arange(3, dtype=np.uint64), pairs, lost, np.ones(3, np.int64), np.full(3, 2, np.int32), np.zeros((3, 5))
+        np.arange(3, dtype=np.uint64),
+        pairs,
+        lost,
+        np.ones((3, 2), dtype=np.int64),
+        np.full(3, 2, np.int32),
+        np.zeros((3, 5)),
     )
-    measured = Sample.of("mine", grid, trials)
-    assert (measured.configuration, measured.map, measured.optimum) == ("mine", "yard", grid.optimum)
-    assert measured.found.tolist() == [True, False, False]
-    assert measured.iterations == 2
-    assert np.array_equal(measured.features["x1"], [1.0, 1.0, np.nan], equal_nan=True)
-    assert np.array_equal(measured.features["l2"], [grid.optimum, np.nan, np.nan], equal_nan=True)
-    assert measured.features["lost_ants"].tolist() == [0.0, 1.0, 2.0]
+    found = measured("mine", grid, trials)
+    assert (found.configuration, found.map, found.optimum) == ("mine", "yard", grid.optimum)
+    assert found.found.tolist() == [True, False, False]
+    assert found.iterations == 2
+    assert np.array_equal(found.features["x1"], [1.0, 1.0, np.nan], equal_nan=True)
+    assert np.array_equal(found.features["l2"], [grid.optimum, np.nan, np.nan], equal_nan=True)
+    assert found.features["lost_ants"].tolist() == [0.0, 1.0, 2.0]

@@ -34,9 +34,16 @@ FILES = {
     "tables.tex",
     "cells.csv",
     "pairs.csv",
+    "values.csv",
+    "ranks.csv",
+    "effects.csv",
+    "budgets.csv",
     "report.json",
-    "curves.svg",
-    "curves.png",
+    *(
+        f"{name}.{ending}"
+        for name in ("curves", "effects", "profiles", "targets", "budgets")
+        for ending in ("svg", "png")
+    ),
     ".made-by.json",
 }
 
@@ -130,7 +137,7 @@ def test_configurations_with_names_are_called_by_them_and_those_of_one_effort_ar
 def test_its_page_needs_no_other_file(folder: Path) -> None:
     page = (folder / "index.html").read_text("utf-8")
     assert page.count("<table>") == 4
-    assert page.count("<svg") == 1
+    assert page.count("<svg") == 5
     assert not re.search(r"<(img|link|script|iframe)\b|@import|url\((?!#)", page)
 
 
@@ -188,6 +195,13 @@ def test_jobs_of_a_sweep_write_a_report_each(tmp_path: Path) -> None:
         ({"cells": ["aco"]}, "report.cells: expected two or more, each different; got ['aco']"),
         ({"maps": ["nope"]}, "report.maps: 'nope': map: expected one of: "),
         ({"maps": ["file"]}, "report.maps: 'file': map.path: expected a text; got nothing"),
+        ({"maps": ["fig13", "fig13"]}, "report.maps: expected different maps, as each counts once; "),
+        (
+            {"maps": ["random#0-1000"]},
+            "report.maps: 'random#0-1000': expected at most 1000 maps in a report; got 1001",
+        ),
+        ({"maps": ["random#0-499"], "trials": 100_000}, "report.trials: expected at most 100000000 cycles of all"),
+        ({"export": "coco"}, "report.export: expected one of: none, ioh; got 'coco'"),
         ({"trials": 1}, "report.trials: expected a whole number from 2 to 100000; got 1"),
         ({"nope": 1}, "report.nope is not a known key; expected one of: report.cells, report.maps, "),
     ],
@@ -196,6 +210,46 @@ def test_what_cannot_be_compared_is_refused(given: dict[str, Any], said: str, tm
     with pytest.raises(SettingsError) as caught:
         build_part("report", "compare", given).check(context(tmp_path))
     assert str(caught.value).startswith(said)
+
+
+@pytest.fixture(scope="module")
+def verdict(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a report on maps of several kinds, with its trials in IOHprofiler's format."""
+    home = tmp_path_factory.mktemp("verdict")
+    scenario = Path(__file__).parents[1] / "maps" / "movingai" / "arena.map.scen"
+    maps = f"report.maps=[fig13,'random map.size=[12,12]#0-11',\"movingai:{scenario}#150-151\"]"
+    ended = run_acoexp(CELLS, maps, *SMALL, "report.export=ioh", "tracking=none", cwd=home)
+    assert ended.returncode == 0, ended.stderr
+    (home / "stdout").write_text(ended.stdout, encoding="utf-8")
+    return home / "outputs/reports/compare"
+
+
+def test_over_many_maps_it_prints_ranks(verdict: Path) -> None:
+    printed = (verdict.parents[2] / "stdout").read_text("utf-8")
+    assert re.search(r"^cell +mean rank +best on", printed, re.M)
+    assert re.search(r"^pd ants=3 +[12]\.\d\d +\d+/15", printed, re.M)
+    assert json.loads((verdict / "report.json").read_text("utf-8"))["verdict"]["text"].startswith("Over 15 maps: ")
+
+
+def test_its_steps_and_lengths_are_those_of_the_trials(verdict: Path) -> None:
+    grid = load_map("random", size=(12, 12), seed=4)
+    results = solve_many(grid, "pd", range(3), iterations=4, ants=3)
+    data = verdict / "ioh" / "2-pd_ants_3" / f"data_f6_{grid.name}" / "IOHprofiler_f6_DIM12.dat"
+    runs = [
+        [line.split() for line in run.splitlines()] for run in data.read_text("utf-8").split("evaluations")[1:]
+    ]
+    for lines, result in zip(runs, results, strict=True):
+        walks, gap, steps = map(float, lines[-1])
+        assert (walks, steps) == (12, result.ant_steps)
+        if result.path is not None:
+            assert gap == pytest.approx(result.length / grid.optimum - 1.0, abs=1e-9)
+
+
+def test_with_trials_from_a_store_it_has_the_same_steps(home: Path, folder: Path) -> None:
+    before = (folder / "budgets.csv").read_bytes()
+    ended = run_acoexp(CELLS, "report.maps=[fig13,env2]", *SMALL, "tracking=none", cwd=home)
+    assert ended.returncode == 0, ended.stderr
+    assert (folder / "budgets.csv").read_bytes() == before
 
 
 def test_a_part_on_the_command_line_is_refused_before_anything_runs(tmp_path: Path) -> None:

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from acoexp.compare.measures import Sample, configuration_row, pair_rows
+from acoexp.compare.measures import configuration_row, pair_rows
+from acoexp.compare.sample import Sample
 from acoexp.compare.tables import tables_of
 from acoexp.report.table import Table
 from acoexp.trial.features import NAMES
@@ -22,7 +23,8 @@ def sample(configuration: str, found: list[bool], l2: list[float]) -> Sample:
         **{"x1": np.full(n, 4.0), "x2": np.full(n, np.nan), "x3": np.full(n, np.nan)},
         **{"l1": np.full(n, 7.0), "l2": np.array(l2), "lost_ants": np.arange(n, dtype=np.float64)},
     }
-    return Sample(configuration, "yard", 7.0, np.array(found), features, np.full((n, 20), 7.0))
+    steps = np.ones((n, 20), dtype=np.int64)
+    return Sample(configuration, "yard", 7.0, np.array(found), features, np.full((n, 20), 7.0), steps)
 
 
 @pytest.fixture(scope="module")

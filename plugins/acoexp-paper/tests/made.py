@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from acoexp_paper.claims.kinds import Kind
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
 from acoexp.trial.seeds import Seeds
 from acoexp.trial.settings import Settings
@@ -26,7 +26,8 @@ def sample(x1: int = 5, found: float = 1.0, converged: float = 1.0, seed: int = 
     l1 = np.where(random.random(N) < found, 10.0, 11.0)
     l2 = np.where(random.random(N) < converged, l1, 12.0)
     features = {"x1": first, "x2": first, "x3": first, "l1": l1, "l2": l2, "lost_ants": first}
-    return Sample("", "map", 10.0, l1 == 10.0, features, np.tile(l2[:, None], (1, 50)))
+    curves = np.tile(l2[:, None], (1, 50))
+    return Sample("", "map", 10.0, l1 == 10.0, features, curves, np.ones(curves.shape, dtype=np.int64))
 
 
 def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[int], None]) -> Trials:
@@ -38,8 +39,8 @@ def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[in
     pairs = np.tile(grid.optimum_pair, (n, iterations, 1))
     pairs[before | leaves] += (2, 0)
     show(n)
-    lost, steps, cycles = random.integers(0, 3, (n, iterations)), np.ones(n, np.int64), np.full(n, iterations)
-    return Trials(seeds.array(), pairs, lost, steps, cycles.astype(np.int32), np.zeros((n, 5)))
+    lost, steps = random.integers(0, 3, (n, iterations)), np.ones((n, iterations), dtype=np.int64)
+    return Trials(seeds.array(), pairs, lost, steps, np.full(n, iterations, np.int32), np.zeros((n, 5)))
 
 
 def says(kind: Kind, **samples: Sample) -> int:

@@ -12,7 +12,7 @@ from acoexp_paper.claims.means import mean_of_ten
 from acoexp_paper.trials.experiment import Experiment
 from small import TRIALS
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 from acoexp.compare.statistics import Estimate
 
 
@@ -83,4 +83,6 @@ def test_averages_are_met_by_samples_that_are_as_the_paper_prints_them() -> None
 
 def _constant(algo: str, of: dict[tuple[str, str], float]) -> Sample:
     features = {name: np.full(TRIALS, of[algo, name]) for name in ("x1", "l1", "x2", "l2", "x3")}
-    return Sample(algo, "fig13", 30.0, np.full(TRIALS, True), features, np.full((TRIALS, 5), 30.0))
+    curves = np.full((TRIALS, 5), 30.0)
+    steps = np.ones(curves.shape, dtype=np.int64)
+    return Sample(algo, "fig13", 30.0, np.full(TRIALS, True), features, curves, steps)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from acoexp_paper.trials.samples import EVENTS, MEASURES, first_trials, values_of
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 
 NAN = np.nan
 FOUND, MISSED, STUCK = range(3)
@@ -26,7 +26,8 @@ def sample() -> Sample:
         "l2": np.array([7, NAN, 8]),
         "lost_ants": np.array([1.0, 20.0, 3.0]),
     }
-    return Sample("pd", "yard", 7.0, np.array([True, False, True]), features, curves)
+    steps = np.ones(curves.shape, dtype=np.int64)
+    return Sample("pd", "yard", 7.0, np.array([True, False, True]), features, curves, steps)
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 from acoexp.compare.statistics import Estimate
 from acoexp_paper.claims.means import mean, mean_of_ten
 from acoexp_paper.published import tables

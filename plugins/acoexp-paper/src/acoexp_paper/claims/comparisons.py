@@ -10,8 +10,7 @@ import numpy as np
 import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare import statistics
-from acoexp.compare.measures import SIGNIFICANCE
-from acoexp.compare.statistics import Flags, Values
+from acoexp.compare.statistics import SIGNIFICANCE, Flags, Values
 from acoexp_paper.claims.kinds import Finding, Kind, mean_over
 from acoexp_paper.published.tables import NAMES
 from acoexp_paper.trials.samples import EVENTS, MEASURES, Samples

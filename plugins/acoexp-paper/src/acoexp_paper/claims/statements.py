@@ -10,8 +10,7 @@ import numpy as np
 import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare import statistics
-from acoexp.compare.measures import SIGNIFICANCE
-from acoexp.compare.statistics import Flags
+from acoexp.compare.statistics import SIGNIFICANCE, Flags
 from acoexp_paper.claims.kinds import Finding, Kind, mean_over
 from acoexp_paper.claims.means import mean_of_ten, rarity
 from acoexp_paper.published.tables import NAMES, TRIALS

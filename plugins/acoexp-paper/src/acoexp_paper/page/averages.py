@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 from acoexp.report.table import Table
 from acoexp_paper.claims.averages import Average
 from acoexp_paper.claims.findings import Findings

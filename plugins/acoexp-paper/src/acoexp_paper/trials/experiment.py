@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.measures import measured
+from acoexp.compare.sample import Sample
 from acoexp.compare.statistics import Values
 from acoexp.grid.grid import Grid
 from acoexp.maps.ensemble import ensemble
@@ -50,7 +51,7 @@ class Experiment:
     def main(self) -> dict[str, Samples]:
         """The samples on each environment's map."""
         return {
-            env: {algo: Sample.of(algo, self.maps[env], trials) for algo, trials in by_algo.items()}
+            env: {algo: measured(algo, self.maps[env], trials) for algo, trials in by_algo.items()}
             for env, by_algo in self._trials.items()
         }
 
@@ -94,7 +95,7 @@ class Experiment:
         )
 
     def _sample(self, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Sample:
-        return Sample.of(algo, grid, self._run(algo, values, grid, trials))
+        return measured(algo, grid, self._run(algo, values, grid, trials))
 
     def _run(self, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Trials:
         batch = f"{algo} on {grid.name}{''.join(f', {key}={value}' for key, value in values.items())}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 from acoexp_paper.published.tables import ENVIRONMENTS, TABLES
 from acoexp_paper.trials.experiment import Experiment
 from acoexp_paper.trials.samples import Samples, first_trials

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from acoexp.compare.measures import Sample
+from acoexp.compare.sample import Sample
 from acoexp.compare.statistics import Flags, Values
 from acoexp.trial.features import x2_last
 
