@@ -19,7 +19,7 @@ from acoexp.compare.over_maps.verdict import ENOUGH, Verdict, verdict_over
 from acoexp.compare.page import Page, Picture, Section, as_html, as_markdown
 from acoexp.compare.render import as_latex
 from acoexp.compare.sample import Row, Sample
-from acoexp.compare.tables import tables_of
+from acoexp.compare.tables import learning_table, tables_of
 from acoexp.report.render import as_csv, as_json
 
 MANY_MAPS = 12
@@ -36,12 +36,14 @@ class Compared(NamedTuple):
         maps: The maps.
         samples: The trials on each map, in the order of the configurations.
         trials: How many each.
+        learning: A row for each configuration that optimises paths on each map: what its colony learns.
     """
 
     configurations: Sequence[Configuration]
     maps: Sequence[MapFacts]
     samples: Sequence[Sequence[Sample]]
     trials: int
+    learning: Sequence[Row]
 
 
 class Contents(NamedTuple):
@@ -97,7 +99,7 @@ def write_report(folder: Path, compared: Compared) -> None:
     on_each = _on_each_map(folder, compared, contents)
     page = Page(_TITLE, _lead(compared), contents.verdict.text, [_over_maps(contents, over_maps), on_each])
     svgs = {one.name: (folder / f"{one.name}.svg").read_text(encoding="utf-8") for one in page.pictures}
-    rows = contents.rows()
+    rows = contents.rows() | {"learning": [*compared.learning]}
     texts = {
         "index.html": as_html(page, svgs),
         "report.md": as_markdown(page),
@@ -118,9 +120,12 @@ def _over_maps(contents: Contents, pictures: Sequence[Picture]) -> Section:
 
 def _on_each_map(folder: Path, compared: Compared, contents: Contents) -> Section:
     """Return what trials show on each map; of many maps it is folded, and without curves."""
-    tables = tables_of(contents.features, contents.pairs)
+    *of_cells, of_pairs = tables_of(contents.features, contents.pairs)
+    tables = [*of_cells, of_pairs]
+    files = [*("cells.csv" for _ in of_cells), "pairs.csv"]
+    if compared.learning:
+        tables, files = [*tables, learning_table(compared.learning)], [*files, "learning.csv"]
     if len(compared.maps) > MANY_MAPS:
-        files = ("cells.csv", "cells.csv", "pairs.csv")
         return Section("On each map", tables, {t.title: file for t, file in zip(tables, files, strict=True)})
     from acoexp.compare.curves import draw_curves  # matplotlib takes its time to import
 

@@ -10,9 +10,10 @@ from pathlib import Path
 from acoexp.compare.configuration import Configuration, parse_configurations
 from acoexp.compare.contents import MANY_MAPS, Compared, write_report
 from acoexp.compare.export.ioh import export_trials
+from acoexp.compare.learning import learning_row, optimises, without_learning
 from acoexp.compare.maps import MapFacts, load_distinct, parse_maps
 from acoexp.compare.measures import measured
-from acoexp.compare.sample import Sample
+from acoexp.compare.sample import Row, Sample
 from acoexp.errors import SettingsError
 from acoexp.grid.grid import Grid
 from acoexp.parameters import parameter
@@ -49,7 +50,9 @@ class Compare(Report):
         """Refuse configurations and maps that are not known, and parts that no configuration would use."""
         compared = self._configurations(context)
         maps = sum(1 for _ in self._grids(context))
-        cycles = maps * self.trials * sum(one.settings.scalars.iterations for one in compared)
+        cycles = (
+            maps * self.trials * sum((1 + optimises(one)) * one.settings.scalars.iterations for one in compared)
+        )
         if cycles > MOST_CYCLES:
             raise SettingsError(
                 f"report.trials: expected at most {MOST_CYCLES} cycles of all trials together; got {cycles}: "
@@ -61,11 +64,16 @@ class Compare(Report):
         compared, seeds = self._configurations(context), parse_seeds(f"0-{self.trials - 1}")
         maps: list[MapFacts] = []
         samples: list[list[Sample]] = []
+        learning: list[Row] = []
         for grid in self._grids(context):
             maps.append(MapFacts.of(grid))
             samples.append([self._sample(context, one, grid, seeds) for one in compared])
+            for one, sample in zip(compared, samples[-1], strict=True):
+                if optimises(one):
+                    blind = self._sample(context, without_learning(one), grid, seeds)
+                    learning.append(learning_row(sample, blind))
         with context.draft() as folder:
-            write_report(folder, Compared(compared, maps, samples, self.trials))
+            write_report(folder, Compared(compared, maps, samples, self.trials, learning))
             if self.export == "ioh":
                 export_trials(folder / "ioh", compared, maps, samples)
         return context.folder

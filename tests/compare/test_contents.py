@@ -14,6 +14,7 @@ from compared import LOST, sample
 
 from acoexp.compare.configuration import parse_configurations
 from acoexp.compare.contents import MANY_MAPS, Compared, write_report
+from acoexp.compare.learning import learning_row
 from acoexp.compare.maps import MapFacts
 
 CONFIGURATIONS = parse_configurations(["aco", "pd", "_odd$x$: pdg"], {})
@@ -32,7 +33,8 @@ def written(folder: Path, maps: int, worst: float = 3.0) -> Path:
         for number in range(maps)
     ]
     facts = [MapFacts(f"map-{number}", f"digest-{number}", 10.0, 10, 90) for number in range(maps)]
-    write_report(folder, Compared(CONFIGURATIONS, facts, samples, 4))
+    learning = [learning_row(of_map[-1], of_map[0]) for of_map in samples]
+    write_report(folder, Compared(CONFIGURATIONS, facts, samples, 4, learning))
     return folder
 
 
@@ -67,7 +69,7 @@ def test_every_form_has_the_verdict(few: Path) -> None:
     assert said["critical_difference"] == pytest.approx(1.353, abs=1e-3)
     assert "Over 6 maps the configurations differ" in (few / "index.html").read_text("utf-8")
     assert "\n> Over 6 maps the configurations differ" in (few / "report.md").read_text("utf-8")
-    assert (few / "tables.tex").read_text("utf-8").count("\\toprule") == 5
+    assert (few / "tables.tex").read_text("utf-8").count("\\toprule") == 7
     assert [row["cell"] for row in rows(few, "ranks.csv")] == ["_odd$x$", "pd", "aco"]
     assert {row["verdict"] for row in rows(few, "verdicts.csv")} >= {"_odd$x$ better"}
 
@@ -79,6 +81,8 @@ def test_files_have_a_row_for_each_map_and_configuration(few: Path) -> None:
     assert {(row["cell"], row["unit"]) for row in rows(few, "budgets.csv")} == {
         (one.label, unit) for one in CONFIGURATIONS for unit in ("cycles", "ant steps")
     }
+    assert {row["cell"] for row in rows(few, "learning.csv")} == {"_odd$x$"}
+    assert "What the colony learns" in (few / "report.md").read_text("utf-8")
     counts = {name: len(content(few)[name]) for name in ("values", "effects", "pairs")}
     assert counts == {"values": 18, "effects": 12, "pairs": 54}
 
@@ -107,7 +111,7 @@ def test_the_page_needs_no_other_file(many: Path) -> None:
 
 def test_of_many_maps_tables_of_each_are_folded_and_named_by_their_files(many: Path) -> None:
     page, text = ((many / name).read_text("utf-8") for name in ("index.html", "report.md"))
-    assert page.count("<details>") == 3
+    assert page.count("<details>") == 5
     assert "map-3" not in text
     assert "`pairs.csv` has its 117 rows." in text
     assert text.startswith("# Comparison of ant colonies\n\n3 configurations on 13 maps: ")
@@ -125,7 +129,7 @@ def test_on_one_map_it_says_that_there_is_no_verdict(tmp_path: Path) -> None:
 def test_where_all_is_lost_or_all_is_the_same_there_is_a_page_that_says_so(worst: float, tmp_path: Path) -> None:
     samples = [[sample([[10.0 + worst] * 3] * 4, one.label, name) for one in CONFIGURATIONS] for name in "abcde"]
     facts = [MapFacts(name, name, 10.0, 10, 90) for name in "abcde"]
-    write_report(tmp_path, Compared(CONFIGURATIONS, facts, samples, 4))
+    write_report(tmp_path, Compared(CONFIGURATIONS, facts, samples, 4, []))
     assert "No difference: on each of 5 maps" in (tmp_path / "index.html").read_text("utf-8")
     assert "NaN" not in (tmp_path / "report.json").read_text("utf-8")
 

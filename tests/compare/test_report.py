@@ -136,7 +136,7 @@ def test_configurations_with_names_are_called_by_them_and_those_of_one_effort_ar
 
 def test_its_page_needs_no_other_file(folder: Path) -> None:
     page = (folder / "index.html").read_text("utf-8")
-    assert page.count("<table>") == 4
+    assert page.count("<table>") == 5
     assert page.count("<svg") == 5
     assert not re.search(r"<(img|link|script|iframe)\b|@import|url\((?!#)", page)
 

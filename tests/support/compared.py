@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from acoexp.compare.sample import Sample
+from acoexp.trial.features import NAMES
 
 LOST = float("nan")
 
@@ -32,6 +33,8 @@ def sample(
     best = np.array([min((x for x in row if x == x), default=LOST) for row in found.tolist()])
     features = {"x1": np.ones(len(found)), "x2": np.ones(len(found)), "x3": np.ones(len(found)), "l1": best}
     features |= {"l2": found[:, -1], "lost_ants": np.zeros(len(found))}
+    features |= {name: features.get(name, np.full(len(found), np.nan)) for name in NAMES}
+    features["cycles"] = np.full(len(found), float(found.shape[1]))
     return Sample(configuration, name, optimum, best == optimum, features, found, made.cumsum(axis=1))
 
 

@@ -75,13 +75,13 @@ def runs_of(sample: Sample, ants: int, worst: float) -> Iterator[Run]:
     """
     gaps = np.where(np.isinf(sample.gaps), worst, sample.gaps)
     evaluations = ants * np.arange(1, sample.iterations + 1, dtype=np.float64)
-    for curve, steps in zip(gaps, sample.steps, strict=True):
-        better = np.diff(curve, prepend=worst) < 0.0
+    for curve, steps, cycles in zip(gaps, sample.steps, sample.features["cycles"].astype(int), strict=True):
+        better = np.diff(curve[:cycles], prepend=worst) < 0.0
         better[-1] = True
-        lines = np.column_stack([evaluations, curve, steps])[better]
+        lines = np.column_stack([evaluations, curve, steps])[:cycles][better]
         if lines[0, 0] > 1.0:
             lines = np.vstack([[1.0, worst, 0.0], lines])
-        yield Run(lines, int(evaluations[-1]), lines[lines[:, 1].argmin()])
+        yield Run(lines, int(evaluations[cycles - 1]), lines[lines[:, 1].argmin()])
 
 
 def _export(folder: Path, number: int, facts: MapFacts, one: Configuration, sample: Sample) -> None:
