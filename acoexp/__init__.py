@@ -16,16 +16,19 @@ if TYPE_CHECKING:
     from acoexp.grid.grid import Grid
     from acoexp.registry.load_map import load_map
     from acoexp.trial.result import Result
+    from acoexp.watch.recording import Recording, record
 
 __all__ = [
     "AcoexpError",
     "Grid",
     "MapError",
+    "Recording",
     "Result",
     "SettingsError",
     "StrategyError",
     "TrackingError",
     "load_map",
+    "record",
     "solve",
     "solve_many",
 ]
@@ -36,6 +39,8 @@ _HOMES = {
     "Grid": "grid.grid",
     "Result": "trial.result",
     "load_map": "registry.load_map",
+    "Recording": "watch.recording",
+    "record": "watch.recording",
 }
 
 

@@ -169,6 +169,7 @@ class Job:
             preset=resolve(algo, {}),
             settings=self.setup.settings,
             grid=self.setup.grid,
+            seed=keys.seed,
             folder=folder,
             trials_of=partial(
                 kept_trials,
@@ -181,6 +182,7 @@ class Job:
                 "report": asked.given,
                 "settings": self.setup.settings.as_dict(),
                 "map": [self.setup.grid.name, self.setup.grid.digest],
+                "seed": keys.seed,
             },
         )
 

@@ -37,6 +37,7 @@ class Context:
         preset: That preset's settings, when nothing else is said.
         settings: The command line's settings, resolved.
         grid: Its map.
+        seed: Its seed, for a report on a single trial.
         folder: Where the report goes, ``outputs/reports/<name>`` unless somebody says otherwise.
         trials_of: Returns the trials of settings on a map with some seeds; they are kept, and what was kept before
             is taken from there.
@@ -48,6 +49,7 @@ class Context:
     preset: Settings
     settings: Settings
     grid: Grid
+    seed: int = 0
     folder: Path
     trials_of: Callable[[Settings, Grid, Seeds, Count], Trials]
     show: Callable[[str, int], None] = lambda configuration, done: None

@@ -42,7 +42,7 @@ class Solver:
         self.settings = settings
         self._kernels = Kernels(**{group: settings.parts[group].kernel for group in Kernels._fields})
         self._walks = settings.scalars.order, settings.scalars.dead_end == "step_back"
-        self._loop = loop_of(*self._walks, self._kernels)
+        self._loop, self._made_of = self._make_loop()
         self._prepare(grid)
         self._compile()
 
@@ -241,10 +241,14 @@ class Solver:
             problem.__dict__.pop(what, None)
         return End(problem, prepared)
 
+    def _make_loop(self) -> tuple[Kernel, tuple[object, ...]]:
+        """Return the loop, and all that its machine code depends on."""
+        return loop_of(*self._walks, self._kernels), (*self._walks, *self._kernels)
+
     def _compile(self) -> None:
         room = self._new_workspace().room
         try:
-            digest = digest_of((*self._walks, *self._kernels))
+            digest = digest_of(self._made_of)
             compile_once(self._loop, digest, (room, new_record(1), np.uint64(0)))
         except AcoexpError:
             raise
