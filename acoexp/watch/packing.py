@@ -1,29 +1,36 @@
 """Packing: recordings as the page takes them, a few bits for each cell and move, deflated.
 
-Pheromone is one byte for each cell and cycle, on a scale of ``DECADES`` powers of ten below the strongest of that
-cycle: 255 is the strongest, 0 what is below the scale. Cells that are as most cells in all cycles take no room, of
-the others there is the difference to the cycle before. A way is the turns that it takes, in eighths of a circle.
+Pheromone is one byte for each cell and cycle, on a logarithmic scale of the cycle's own, from its weakest to its
+strongest. Cells that are as most cells in all cycles take no room, of the others there is the difference to the cycle
+before. A way is the turns that it takes, in eighths of a circle.
 """
 
 from __future__ import annotations
 
 import zlib
 from base64 import b64encode
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.grid.field import potential_field
+from acoexp.grid.grid import Grid
 from acoexp.trial.features import without_nan
 from acoexp.watch.recording import Recording, Way
 
-DECADES = 3
-"""Powers of ten that the colours of pheromone span."""
+WIDEST = 1e3
+"""How much stronger the strongest pheromone may be than what has the colour of the weakest."""
 
-FORCE_DECADES = 6
-"""Those that the strength of forces spans."""
+NARROWEST = 3.0
+"""How much stronger it must be to have the colour of the strongest: the first cycles make small differences."""
+
+WIDEST_FORCE = 1e6
+"""``WIDEST`` for the strength of forces."""
+
+SMALL = 64
+"""Cells on a side of a map that is shown whole."""
 
 MOST_ANTS = 60
 """Ants of a cycle that are shown; more could not be told apart."""
@@ -32,87 +39,111 @@ NOWHERE = 8
 """The direction of what has none."""
 
 
-def packed(recordings: Mapping[str, Recording]) -> dict[str, Any]:
-    """Return recordings of trials on one map, by what they are called, as plain values for JSON."""
-    grid = next(iter(recordings.values())).grid
-    levels = {name: _bytes_of_pheromone(recording) for name, recording in recordings.items()}
-    frame = grid.frame
-    return {
-        "decades": DECADES,
-        "forceDecades": FORCE_DECADES,
-        "map": {
-            "name": grid.name,
-            "rows": grid.shape[0],
-            "cols": grid.shape[1],
-            "start": grid.start,
-            "goal": grid.goal,
-            "moves": grid.moves,
-            "optimum": grid.optimum,
-            "obstacles": _deflated(grid.obstacles),
-            "frame": None if frame is None else [frame.resolution, *frame.origin, frame.yaw],
-            "window": _window(recordings, levels),
-        },
-        "colonies": [_colony(name, recordings[name], levels[name]) for name in recordings],
-    }
+class Packed(NamedTuple):
+    """A recording, packed.
+
+    Attributes:
+        grid: The map.
+        cycles: How many cycles it has.
+        seen: Cells that there is something to be seen on, bool[rows, cols].
+        colony: The rest, as plain values for JSON.
+    """
+
+    grid: Grid
+    cycles: int
+    seen: NDArray[np.bool_]
+    colony: dict[str, Any]
 
 
-def _colony(name: str, recording: Recording, levels: NDArray[np.uint8]) -> dict[str, Any]:
-    result, shown = recording.result, _shown_ants(recording)
-    common = np.array([np.bincount(row, minlength=256).argmax() for row in levels], dtype=np.uint8)
+def packed(name: str, recording: Recording) -> Packed:
+    """Return a recording, packed, under a name for it."""
+    scales, levels = _pheromone(recording)
+    common, grid, result = _common(levels), recording.grid, recording.result
     touched = np.flatnonzero((levels != common[:, None]).any(axis=0))
     frames = levels[:, touched]
     frames[1:] -= levels[:-1, touched]
-    field = potential_field(recording.grid.obstacles, recording.grid.goal, recording.settings.field)
+    field = potential_field(grid.obstacles, grid.goal, recording.settings.field)
     strength = np.hypot(field.force[..., 0], field.force[..., 1])
-    plain = {
+    force_scale = Scale.of(strength, WIDEST_FORCE)
+    colony = {
         "name": name,
         "seed": result.seed,
         "cycles": recording.cycles,
         "ants": recording.settings.scalars.ants,
         "lost": result.lost_ants.tolist(),
         "curve": result.curve.tolist(),
-        "bests": [{"cycle": b.cycle, "length": b.length, "moves": _digits(b.moves)} for b in recording.bests],
-        "strongest": [float(row.max()) for row in _finite(recording)],
+        "bests": [{"cycle": b.cycle, "length": b.length, "turns": _digits(b.moves)} for b in recording.bests],
+        "scales": scales,
         "common": _deflated(common),
         "touched": _deflated(np.diff(touched, prepend=0).astype("<u4")),
         "frames": _deflated(frames),
-        "forceStrongest": float(strength.max()),
-        "force": _deflated(in_decades(strength, FORCE_DECADES)),
+        "forceScale": force_scale,
+        "force": _deflated(force_scale.bytes_of(strength)),
         "forceAngle": _deflated(_angles(field.force)),
         "heuristic": _deflated(_preferred(recording.desirability)),
-        **_packed_ways(recording, shown),
+        **_ways(recording),
     }
-    done: dict[str, Any] = without_nan(plain)
-    return done
+    seen = (levels > common[:, None]).any(axis=0).reshape(grid.shape)
+    return Packed(grid, recording.cycles, seen, without_nan(colony))
 
 
-def in_decades(values: NDArray[Any], decades: int) -> NDArray[np.uint8]:
-    """Return values, at least 0, as bytes on a logarithmic scale: 255 the highest, 0 what is below the scale."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        place = 1.0 + np.log10(values / values.max()) / decades
-    return np.rint(255.0 * np.clip(np.nan_to_num(place, nan=0.0, neginf=0.0), 0.0, 1.0)).astype(np.uint8)
+def packed_map(colonies: Sequence[Packed]) -> dict[str, Any]:
+    """Return the map of packed recordings, as plain values for JSON."""
+    grid = colonies[0].grid
+    frame = grid.frame
+    return {
+        "name": grid.name,
+        "rows": grid.shape[0],
+        "cols": grid.shape[1],
+        "start": grid.start,
+        "goal": grid.goal,
+        "moves": grid.moves,
+        "optimum": grid.optimum,
+        "obstacles": _deflated(grid.obstacles),
+        "frame": None if frame is None else [frame.resolution, *frame.origin, frame.yaw],
+        "window": _window(grid, np.logical_or.reduce([one.seen for one in colonies])),
+    }
 
 
-def _bytes_of_pheromone(recording: Recording) -> NDArray[np.uint8]:
-    """Return the pheromone of each cell of the map, before the first cycle and after each, uint8[cycles + 1, n]."""
-    return np.stack([in_decades(row, DECADES).ravel() for row in _finite(recording)])
+class Scale(NamedTuple):
+    """A logarithmic scale: what the bytes 0 and 255 stand for."""
+
+    low: float
+    high: float
+
+    @classmethod
+    def of(cls, values: NDArray[Any], widest: float, narrowest: float = 1.0) -> Scale:
+        """Return the scale of some values, those that are 0 left out."""
+        positive = values[values > 0.0]
+        if not positive.size:
+            return cls(1.0, 1.0)
+        low, high = float(positive.min()), float(positive.max())
+        low = max(low, high / widest)
+        return cls(low, max(high, low * narrowest))
+
+    def bytes_of(self, values: NDArray[Any]) -> NDArray[np.uint8]:
+        """Return where values are on the scale; 0 for those below it."""
+        span = np.log(self.high / self.low) or 1.0
+        place = np.log(np.maximum(values, self.low) / self.low) / span
+        return np.rint(255.0 * np.minimum(place, 1.0)).astype(np.uint8)
 
 
-def _finite(recording: Recording) -> Any:
-    return (np.nan_to_num(row) for row in recording.pheromone)
+def _pheromone(recording: Recording) -> tuple[list[Scale], NDArray[np.uint8]]:
+    """Return the scale of each cycle, one before the first included, and the bytes, uint8[cycles + 1, cells]."""
+    scales, levels = [], []
+    for row in recording.pheromone:
+        finite = np.nan_to_num(row.ravel()).astype(np.float64)
+        scales.append(Scale.of(finite, WIDEST, NARROWEST))
+        levels.append(scales[-1].bytes_of(finite))
+    return scales, np.stack(levels)
 
 
-def _window(recordings: Mapping[str, Recording], levels: Mapping[str, NDArray[np.uint8]]) -> list[int]:
-    """Return what of a large map there is to be seen, as [top, left, bottom, right]: where ants were, and a margin."""
-    grid = next(iter(recordings.values())).grid
+def _window(grid: Grid, seen: NDArray[np.bool_]) -> list[int]:
+    """Return what of a large map there is to be seen, [top, left, bottom, right]: where ants were, and a margin."""
     rows, cols = grid.shape
-    if max(rows, cols) <= _SMALL:
+    if max(rows, cols) <= SMALL:
         return [0, 0, rows, cols]
-    seen = np.zeros(grid.shape, dtype=np.bool_)
     seen[grid.start] = seen[grid.goal] = True
-    for each in levels.values():
-        common = np.median(each, axis=1, keepdims=True)
-        seen |= (each > common).any(axis=0).reshape(grid.shape)
     row, col = np.nonzero(seen)
     margin = max(rows, cols) // 40
     low = np.maximum([row.min() - margin, col.min() - margin], 0)
@@ -120,8 +151,9 @@ def _window(recordings: Mapping[str, Recording], levels: Mapping[str, NDArray[np
     return [int(number) for number in (*low, *high)]
 
 
-_SMALL = 64
-"""Cells on a side of a map that is shown whole."""
+def _common(levels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return what most cells have in each cycle, uint8[cycles + 1]."""
+    return np.array([np.bincount(row, minlength=256).argmax() for row in levels], dtype=np.uint8)
 
 
 def _shown_ants(recording: Recording) -> list[list[int]]:
@@ -131,13 +163,13 @@ def _shown_ants(recording: Recording) -> list[list[int]]:
     return [some if best < 0 or best in some else [best, *some[1:]] for best in recording.winners.tolist()]
 
 
-def _packed_ways(recording: Recording, shown: list[list[int]]) -> dict[str, Any]:
-    winners, turns, steps, lost, best = recording.winners.tolist(), [], [], [], []
+def _ways(recording: Recording) -> dict[str, Any]:
+    shown, winners, turns, steps, lost, best = _shown_ants(recording), recording.winners.tolist(), [], [], [], []
     for cycle, (ants, winner) in enumerate(zip(shown, winners, strict=True), 1):
         ways: list[Way] = recording.ways(cycle)
         for ant in ants:
             moves = ways[ant].moves
-            turns.append(np.diff(moves, prepend=np.uint8(0)) & 7)
+            turns.append(_turns(moves))
             steps.append(moves.size)
             lost.append(ways[ant].lost)
         best.append(ants.index(winner) if winner >= 0 else 255)
@@ -163,7 +195,11 @@ def _preferred(desirability: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _digits(moves: NDArray[np.uint8]) -> str:
-    return (moves + ord("0")).tobytes().decode("ascii")
+    return (_turns(moves) + ord("0")).tobytes().decode("ascii")
+
+
+def _turns(moves: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return np.diff(moves, prepend=np.uint8(0)) & 7
 
 
 def _deflated(values: NDArray[Any]) -> str:

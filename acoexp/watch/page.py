@@ -4,39 +4,39 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Sequence
 from functools import cache
 from html import escape
 from importlib.resources import files
 from typing import Any
 
 from acoexp.errors import SettingsError
-from acoexp.watch.packing import packed
-from acoexp.watch.recording import Recording
+from acoexp.watch.packing import Packed, packed_map
 
 LARGEST = 15 * 2**20
 """Bytes that a page may have: it is opened at once, and can be sent by mail."""
 
-_SCRIPTS = ("unpack", "colours", "chart", "board", "player", "main")
+_SCRIPTS = ("unpack", "colours", "chart", "heat", "ways", "board", "player", "main")
 """The parts of the script, in their order."""
 
 _FRAME_HEIGHT = 760
 """Pixels of the page in a notebook."""
 
 
-def page_of(recordings: Mapping[str, Recording]) -> str:
-    """Return the page of some recordings of trials on one map, by what they are called.
+def page_of(colonies: Sequence[Packed]) -> str:
+    """Return the page of some packed recordings of trials on one map.
 
     Raises:
         SettingsError: if it would be larger than ``LARGEST`` bytes.
     """
-    first = next(iter(recordings.values()))
-    names = " and ".join(recordings)
+    grid, cycles = colonies[0].grid, max(one.cycles for one in colonies)
+    names = " and ".join(one.colony["name"] for one in colonies)
+    content = {"map": packed_map(colonies), "colonies": [one.colony for one in colonies]}
     # nothing in a script ends it but this sign
-    data = json.dumps(packed(recordings), allow_nan=False, separators=(",", ":")).replace("<", r"\u003c")
+    data = json.dumps(content, allow_nan=False, separators=(",", ":")).replace("<", r"\u003c")
     page = _filled(
         _asset("page.html"),
-        title=escape(f"{names} on {first.grid.name}"),
+        title=escape(f"{names} on {grid.name}"),
         style=_asset("page.css"),
         script="\n".join(_asset(f"{name}.js") for name in _SCRIPTS),
         data=data,
@@ -44,13 +44,13 @@ def page_of(recordings: Mapping[str, Recording]) -> str:
     if len(page) > LARGEST:
         raise SettingsError(
             f"iterations: expected fewer, or fewer cells side by side, for a page of at most {LARGEST // 2**20} MB; "
-            f"got {len(page) / 2**20:.1f} MB for {first.cycles} cycles on a map of {first.grid.obstacles.size} cells"
+            f"got {len(page) / 2**20:.1f} MB for {cycles} cycles on a map of {grid.obstacles.size} cells"
         )
     return page
 
 
 def data_of(page: str) -> dict[str, Any]:
-    """Return what :func:`acoexp.watch.packing.packed` put on a page."""
+    """Return the data that a page has."""
     data = page.partition('<script type="application/json" id="data">')[2].partition("</script>")[0]
     found: dict[str, Any] = json.loads(data)
     return found

@@ -152,9 +152,10 @@ class Recording:
 
     @cached_property
     def _page(self) -> str:
+        from acoexp.watch.packing import packed
         from acoexp.watch.page import page_of
 
-        return page_of({self.result.algo: self})
+        return page_of([packed(self.result.algo, self)])
 
     def _path(self, row: int, ant: int) -> Moves:
         walked, polished = self.tape.walked, self.tape.polished

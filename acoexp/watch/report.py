@@ -13,6 +13,7 @@ from acoexp.parameters import parameter
 from acoexp.report.context import Context
 from acoexp.report.report import Report
 from acoexp.trial.settings import Settings
+from acoexp.watch.packing import Packed, packed
 from acoexp.watch.page import data_of, page_of
 from acoexp.watch.recording import recording_of
 
@@ -36,11 +37,8 @@ class Watch(Report):
 
     def write(self, context: Context) -> Path:
         """Run the trials with the command line's seed and write the page."""
-        recordings = {}
-        for name, settings in self._settings(context).items():
-            recordings[name] = recording_of(context.grid, settings, context.seed)
-            context.show(name, 1)
-        page = page_of(recordings)
+        # one after another: a recording takes far more memory than what is packed of it
+        page = page_of([_packed(context, name, settings) for name, settings in self._settings(context).items()])
         with context.draft() as folder:
             (folder / _PAGE).write_text(page, encoding="utf-8")
         return context.folder
@@ -64,6 +62,12 @@ class Watch(Report):
             raise SettingsError(f"report.cells: expected two to {MOST_CELLS} to watch; got {len(self.cells)}")
         parsed = parse_configurations(self.cells, context.own_settings)
         return {one.label: one.settings for one in parsed}
+
+
+def _packed(context: Context, name: str, settings: Settings) -> Packed:
+    colony = packed(name, recording_of(context.grid, settings, context.seed))
+    context.show(name, 1)
+    return colony
 
 
 def _found(colony: Mapping[str, list[Mapping[str, float]]]) -> list[str]:

@@ -6,10 +6,9 @@ class Board {
   constructor(colony, place, hover) {
     Object.assign(this, { colony, place, map: colony.map, cell: null });
     [this.top, this.left, this.below, this.beyond] = this.map.window;
-    this.heat = new OffscreenCanvas(this.map.cols, this.map.rows);
-    this.image = new ImageData(this.map.cols, this.map.rows);
-    this.pixels = new Int32Array(this.image.data.buffer);
-    this.trails = document.createElement("canvas");
+    this.heat = new Heat(colony);
+    this.ways = new Ways(colony);
+    this.centre = this.centre.bind(this);
     this.makeElements();
     this.canvas.addEventListener("pointermove", (event) => hover(this.cellAt(event)));
     this.canvas.addEventListener("pointerdown", (event) => hover(this.cellAt(event)));
@@ -32,31 +31,30 @@ class Board {
     this.canvas.style.aspectRatio = aspect;
     this.canvas.style.width = `min(100%, calc(var(--tall) * ${aspect}))`;
     this.pencil = this.canvas.getContext("2d");
-    this.tracer = this.trails.getContext("2d");
   }
 
   /** Take the theme's colours over. */
   dress() {
-    this.ramp = rampOf(theme.name);
-    this.wall = word(parsed(theme.colour("--wall")));
     this.colours = {};
-    for (const name of ["best", "halo", "ant", "ant-rim", "trail", "stuck", "ink"]) this.colours[name] = theme.colour(`--${name}`);
+    for (const name of ["best", "halo", "ant", "ant-rim", "trail", "stuck", "ink", "wall"]) {
+      this.colours[name] = theme.colour(`--${name}`);
+    }
     const line = this.element.querySelector("h2 path");
     line.setAttribute("stroke", theme.series(this.place));
     line.setAttribute("stroke-dasharray", DASHES[this.place]);
-    this.heated = this.traced = null;
+    this.heat.dress(rampOf(theme.name), word(parsed(this.colours.wall)));
+    this.resize();
   }
 
   resize() {
     const { width, height } = this.canvas.getBoundingClientRect(), dense = window.devicePixelRatio || 1;
     if (!width) return;
-    for (const canvas of [this.canvas, this.trails]) {
-      canvas.width = Math.round(width * dense);
-      canvas.height = Math.round(height * dense);
-    }
+    this.canvas.width = Math.round(width * dense);
+    this.canvas.height = Math.round(height * dense);
     this.dense = dense;
     this.scale = this.canvas.width / (this.beyond - this.left);
-    this.traced = null;
+    this.drawnBest = null;
+    if (this.colours) this.ways.dress({ ...this, width: this.canvas.width, height: this.canvas.height });
   }
 
   cellAt(event) {
@@ -66,7 +64,8 @@ class Board {
     return row >= 0 && row < this.map.rows && col >= 0 && col < this.map.cols ? [row, col] : null;
   }
 
-  centre([row, col]) {
+  centre(cell) {
+    const { cols } = this.map, col = cell % cols, row = (cell - col) / cols;
     return [(col - this.left + 0.5) * this.scale, (row - this.top + 0.5) * this.scale];
   }
 
@@ -83,14 +82,15 @@ class Board {
   }
 
   redraw() {
-    if (!this.scale || !this.ramp || this.cycle === undefined) return;
-    this.paintHeat();
-    this.traceWays();
-    const { pencil, canvas } = this, wide = this.beyond - this.left, high = this.below - this.top;
+    if (!this.scale || !this.colours || this.cycle === undefined) return;
+    this.heat.paint(this.cycle - 1, this.update);
+    this.ways.draw(this.cycle, this.walk);
+    const { pencil, canvas, ways } = this, seen = [this.left, this.top, this.beyond - this.left, this.below - this.top];
     pencil.imageSmoothingEnabled = this.scale < 1;
-    pencil.drawImage(this.heat, this.left, this.top, wide, high, 0, 0, canvas.width, canvas.height);
-    pencil.globalAlpha = 0.6;
-    pencil.drawImage(this.trails, 0, 0);
+    pencil.drawImage(this.heat.canvas, ...seen, 0, 0, canvas.width, canvas.height);
+    pencil.globalAlpha = 0.75;
+    if (ways.fine) pencil.drawImage(ways.canvas, ...seen, 0, 0, canvas.width, canvas.height);
+    else pencil.drawImage(ways.canvas, 0, 0);
     pencil.globalAlpha = 1;
     this.drawBest();
     this.drawEnds();
@@ -98,63 +98,20 @@ class Board {
     this.drawPointed();
   }
 
-  /** Colour the cells that are not as they were drawn last. */
-  paintHeat() {
-    const { colony, pixels, ramp } = this, count = colony.touched.length;
-    const before = this.cycle - 1, share = this.update, key = before + share;
-    if (this.heated === key) return;
-    const blend = (from, to) => Math.round(from + share * (to - from));
-    const common = ramp[blend(colony.common[before], colony.common[before + 1])];
-    if (this.heated === null || common !== this.ground) {
-      for (let cell = 0; cell < pixels.length; cell++) pixels[cell] = this.map.obstacles[cell] ? this.wall : common;
-      this.ground = common;
-    }
-    const old = colony.frames.subarray(before * count, (before + 1) * count);
-    const now = colony.frames.subarray((before + 1) * count, (before + 2) * count);
-    for (let i = 0; i < count; i++) {
-      const cell = colony.touched[i];
-      if (!this.map.obstacles[cell]) pixels[cell] = ramp[old[i] === now[i] ? now[i] : blend(old[i], now[i])];
-    }
-    this.heat.getContext("2d").putImageData(this.image, 0, 0);
-    this.heated = key;
-  }
-
-  /** Draw what the ants have walked since the last time; all of it if they are others. */
-  traceWays() {
-    const { tracer, colours } = this, reached = this.walk * this.colony.longest[this.cycle - 1];
-    const goesOn = this.traced !== null && this.traced.cycle === this.cycle && this.traced.reached <= reached;
-    if (!goesOn) tracer.clearRect(0, 0, this.trails.width, this.trails.height);
-    const from = goesOn ? this.traced.reached : 0;
-    tracer.lineWidth = Math.max(1.1 * this.dense, Math.min(2.2 * this.dense, 0.1 * this.scale));
-    tracer.lineJoin = tracer.lineCap = "round";
-    for (const lost of [false, true]) {
-      tracer.beginPath();
-      for (const ant of this.colony.ants(this.cycle)) if (ant.lost === lost) this.trace(ant.cells, from, reached);
-      tracer.strokeStyle = lost ? colours.stuck : colours.trail;
-      tracer.stroke();
-    }
-    this.traced = { cycle: this.cycle, reached };
-  }
-
-  trace(cells, from, reached) {
-    const last = Math.min(Math.floor(reached), cells.length - 1);
-    const first = Math.floor(from);
-    if (first >= last) return;
-    this.tracer.moveTo(...this.centre(cells[first]));
-    for (let i = first + 1; i <= last; i++) this.tracer.lineTo(...this.centre(cells[i]));
-  }
-
   drawBest() {
     const best = this.colony.bestBy(this.after), { pencil, colours } = this;
     if (!best) return;
-    pencil.beginPath();
-    best.cells.forEach((cell) => pencil.lineTo(...this.centre(cell)));
+    if (this.drawnBest !== best) {
+      this.drawnBest = best;
+      this.line = new Path2D();
+      for (const cell of best.corners) this.line.lineTo(...this.centre(cell));
+    }
     pencil.lineJoin = pencil.lineCap = "round";
     const width = Math.max(2.4 * this.dense, Math.min(5 * this.dense, 0.2 * this.scale));
     for (const [colour, wide] of [[colours.halo, width + 2.4 * this.dense], [colours.best, width]]) {
       pencil.strokeStyle = colour;
       pencil.lineWidth = wide;
-      pencil.stroke();
+      pencil.stroke(this.line);
     }
   }
 
@@ -163,8 +120,8 @@ class Board {
     pencil.font = `700 ${1.25 * size}px system-ui, sans-serif`;
     pencil.textAlign = "center";
     pencil.textBaseline = "middle";
-    for (const [sign, cell] of [["S", this.map.start], ["G", this.map.goal]]) {
-      const [x, y] = this.centre(cell);
+    for (const [sign, [row, col]] of [["S", this.map.start], ["G", this.map.goal]]) {
+      const [x, y] = this.centre(row * this.map.cols + col);
       pencil.beginPath();
       pencil.arc(x, y, size, 0, 7);
       pencil.fillStyle = colours.ink;
@@ -175,23 +132,25 @@ class Board {
   }
 
   drawAnts() {
-    const reached = this.walk * this.colony.longest[this.cycle - 1];
     const size = Math.max(2.6 * this.dense, Math.min(6 * this.dense, 0.2 * this.scale));
     for (const ant of this.colony.ants(this.cycle)) {
-      const steps = ant.cells.length - 1;
-      if (reached < steps) this.drawAnt(this.between(ant.cells, reached), ant.best ? 1.35 * size : size);
-      else if (ant.lost) this.drawLost(ant.cells[steps], size, reached - steps);
+      const steps = ant.cells.length - 1, reached = this.ways.reached(ant, this.walk);
+      if (reached < steps) this.drawAnt(ant, reached, ant.best ? 1.35 * size : size);
+      else if (ant.lost) this.drawLost(ant.cells[steps], size, this.walk * this.colony.pace[this.cycle - 1] - steps);
     }
   }
 
-  between(cells, reached) {
-    const low = Math.floor(reached), share = reached - low;
-    const [from, to] = [this.centre(cells[low]), this.centre(cells[low + 1])];
-    return from.map((at, i) => at + share * (to[i] - at));
-  }
-
-  drawAnt([x, y], size) {
-    const { pencil, colours } = this;
+  /** An ant between two cells, and its way from the last one. */
+  drawAnt({ cells, lost }, reached, size) {
+    const { pencil, colours } = this, low = Math.floor(reached), share = reached - low;
+    const from = this.centre(cells[low]), to = this.centre(cells[low + 1]);
+    const [x, y] = from.map((at, i) => at + share * (to[i] - at));
+    pencil.beginPath();
+    pencil.moveTo(...from);
+    pencil.lineTo(x, y);
+    pencil.strokeStyle = lost ? colours.stuck : colours.trail;
+    pencil.lineWidth = this.ways.width;
+    pencil.stroke();
     pencil.beginPath();
     pencil.arc(x, y, size, 0, 7);
     pencil.fillStyle = colours.ant;
@@ -204,7 +163,7 @@ class Board {
   /** A lost ant fades for a while, and stays faint until the cycle ends. */
   drawLost(cell, size, since) {
     const { pencil, colours } = this, [x, y] = this.centre(cell);
-    pencil.globalAlpha = Math.max(0.4, 1 - since / (0.3 * this.colony.longest[this.cycle - 1]));
+    pencil.globalAlpha = Math.max(0.4, 1 - since / (0.3 * this.colony.pace[this.cycle - 1]));
     pencil.strokeStyle = colours.stuck;
     pencil.lineWidth = 2 * this.dense;
     pencil.beginPath();
@@ -215,7 +174,8 @@ class Board {
 
   drawPointed() {
     if (!this.cell) return;
-    const { pencil } = this, [x, y] = this.centre(this.cell), half = Math.max(this.scale, 6 * this.dense) / 2;
+    const { pencil } = this, [row, col] = this.cell;
+    const [x, y] = this.centre(row * this.map.cols + col), half = Math.max(this.scale, 6 * this.dense) / 2;
     pencil.lineWidth = 1.5 * this.dense;
     pencil.strokeStyle = this.colours.ink;
     pencil.strokeRect(x - half, y - half, 2 * half, 2 * half);

@@ -40,7 +40,7 @@ function start(colonies) {
     slider.setAttribute("aria-valuetext", `cycle ${cycle} of ${cycles}`);
     set("cycle", `cycle ${cycle} of ${cycles}`);
     set("speed", `${player.speed} cycle${player.speed === 1 ? "" : "s"}/s`);
-    set("play", player.playing ? "❚❚" : "▶");
+    find("play").classList.toggle("playing", player.playing);
     find("play").setAttribute("aria-label", player.playing ? "Pause" : "Play");
     if (!player.playing) announce(cycle);
   }
@@ -53,7 +53,7 @@ function start(colonies) {
 
   function dress() {
     drawScale(document.querySelector(".scale canvas"), rampOf(theme.name));
-    boards.forEach((board) => { board.dress(); board.resize(); });
+    for (const board of boards) board.dress();
     chart.draw();
     show();
   }
@@ -88,6 +88,11 @@ function listen(player, toggleTheme) {
   });
 }
 
+/** Cells as [row, col], for others. */
+function placed({ cols }, cells) {
+  return cells ? Array.from(cells, (cell) => [Math.floor(cell / cols), cell % cols]) : null;
+}
+
 const colonies = await opened();
 head(colonies);
 const { player, boards } = start(colonies);
@@ -104,8 +109,8 @@ window.acoexp = {
   colonies: boards.map((board) => ({
     name: board.colony.name,
     shownCycle: () => board.after,
-    path: () => board.colony.bestBy(board.after)?.cells ?? null,
-    ways: () => board.colony.ants(board.cycle).map(({ cells, lost }) => ({ cells, lost })),
+    path: () => placed(board.map, board.colony.bestBy(board.after)?.cells),
+    ways: () => board.colony.ants(board.cycle).map(({ cells, lost }) => ({ cells: placed(board.map, cells), lost })),
     pheromone: (row, col) => board.colony.byteAt(row * board.map.cols + col, board.after),
   })),
 };

@@ -9,16 +9,21 @@ async function inflated(text) {
   return new Response(stream).arrayBuffer();
 }
 
-/** The cells [row, col] of a way from the start, its first cell included. */
-function follow(start, moves) {
-  let [row, col] = start;
-  const cells = [[row, col]];
-  for (const move of moves) {
-    row += STEPS[move][0];
-    col += STEPS[move][1];
-    cells.push([row, col]);
+/** The cells of a way, its first included, numbered row by row; it is given by its turns from east on. */
+function follow({ start, cols }, turns) {
+  const jumps = STEPS.map(([down, right]) => down * cols + right);
+  const cells = new Int32Array(turns.length + 1);
+  cells[0] = start[0] * cols + start[1];
+  for (let i = 0, move = 0; i < turns.length; i++) {
+    move = (move + turns[i]) & 7;
+    cells[i + 1] = cells[i] + jumps[move];
   }
   return cells;
+}
+
+/** Those cells of a way at which it turns, and its ends. */
+function corners(cells) {
+  return cells.filter((cell, i) => 2 * cell !== cells[i - 1] + cells[i + 1]);
 }
 
 class Colony {
@@ -33,8 +38,6 @@ class Colony {
     colony.size = packed.ants;
     delete colony.ants; // a method here
     colony.map = data.map;
-    colony.decades = data.decades;
-    colony.forceDecades = data.forceDecades;
     colony.undo();
     return colony;
   }
@@ -48,20 +51,27 @@ class Colony {
     touched.forEach((cell, i) => { this.place[cell] = i; });
     this.begins = new Uint32Array(steps.length + 1);
     steps.forEach((count, i) => { this.begins[i + 1] = this.begins[i] + count; });
-    this.bests = this.bests.map((best) => ({ ...best, cells: follow(this.map.start, Array.from(best.moves, Number)) }));
-    this.longest = Array.from({ length: this.cycles }, (_, k) => Math.max(
-      1, ...steps.subarray(k * this.shown, (k + 1) * this.shown)));
+    this.bests = this.bests.map((best) => {
+      const cells = follow(this.map, Array.from(best.turns, Number));
+      return { ...best, cells, corners: corners(cells) };
+    });
+    this.pace = Array.from({ length: this.cycles }, (_, k) => this.paceOf(k * this.shown));
   }
 
-  /** The ants of a cycle that are shown: the cells of the ways, and who is lost. */
+  /** Moves that ants make in a cycle: those of the last to arrive; where none arrives, of the last to be lost. */
+  paceOf(first) {
+    const stuck = this.stuck.subarray(first, first + this.shown), steps = this.steps.subarray(first, first + this.shown);
+    const arrived = steps.filter((_, ant) => !stuck[ant]);
+    return Math.max(1, ...(arrived.length ? arrived : steps));
+  }
+
+  /** The ants of a cycle that are shown: the cells of their ways, and who is lost. */
   ants(cycle) {
     if (this.of === cycle) return this.walking;
     const first = (cycle - 1) * this.shown;
     this.walking = Array.from({ length: this.shown }, (_, slot) => {
       const ant = first + slot;
-      let move = 0;
-      const turns = this.turns.subarray(this.begins[ant], this.begins[ant + 1]);
-      const cells = follow(this.map.start, Array.from(turns, (turn) => (move = (move + turn) & 7)));
+      const cells = follow(this.map, this.turns.subarray(this.begins[ant], this.begins[ant + 1]));
       return { cells, lost: this.stuck[ant] === 1, best: this.winners[cycle - 1] === slot };
     });
     this.of = cycle;
@@ -82,11 +92,10 @@ class Colony {
   /** What is known of a cell after a cycle, in words. */
   tell(row, col, cycle) {
     const cell = row * this.map.cols + col, byte = this.byteAt(cell, cycle);
-    const level = valueOf(byte, this.strongest[cycle], this.decades);
-    const words = [`pheromone ${byte === 0 ? "below " : ""}${level.toPrecision(2)}`];
+    const words = [`pheromone ${byte === 0 ? "at most " : ""}${valueOf(byte, this.scales[cycle]).toPrecision(2)}`];
     const force = this.force[cell];
     if (force > 0) {
-      const strength = valueOf(force, this.forceStrongest, this.forceDecades).toPrecision(2);
+      const strength = valueOf(force, this.forceScale).toPrecision(2);
       words.push(`force ${strength} ${ARROWS[Math.round(this.forceAngle[cell] / 32) % 8]}`);
     }
     const liked = this.heuristic[cell];
@@ -95,8 +104,8 @@ class Colony {
   }
 }
 
-function valueOf(byte, strongest, decades) {
-  return strongest * 10 ** (decades * (byte / 255 - 1));
+function valueOf(byte, [low, high]) {
+  return low * (high / low) ** (byte / 255);
 }
 
 /** Where a cell's centre lies in metres, for maps that say it. */
