@@ -121,7 +121,9 @@ class Board {
     pencil.textAlign = "center";
     pencil.textBaseline = "middle";
     for (const [sign, [row, col]] of [["S", this.map.start], ["G", this.map.goal]]) {
-      const [x, y] = this.centre(row * this.map.cols + col);
+      const within = (at, side) => Math.min(Math.max(at, size + this.dense), side - size - this.dense);
+      const [across, down] = this.centre(row * this.map.cols + col);
+      const x = within(across, this.canvas.width), y = within(down, this.canvas.height);
       pencil.beginPath();
       pencil.arc(x, y, size, 0, 7);
       pencil.fillStyle = colours.ink;

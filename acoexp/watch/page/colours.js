@@ -22,8 +22,8 @@ function parsed(colour) {
 }
 
 /** A colour as a word of an image's buffer. */
-function word([red, green, blue]) {
-  return (255 << 24) | (blue << 16) | (green << 8) | red;
+function word([red, green, blue], opacity = 255) {
+  return (opacity << 24) | (blue << 16) | (green << 8) | red;
 }
 
 /** 256 colours as words, interpolated between a ramp's own. */

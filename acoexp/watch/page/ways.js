@@ -50,7 +50,7 @@ class Ways {
   trace({ cells, lost }, from, to) {
     const { pencil, colours } = this, colour = lost ? colours.stuck : colours.trail;
     if (this.fine) {
-      const shade = word(parsed(colour));
+      const shade = lost ? word(parsed(colour), 110) : word(parsed(colour)); // one that wanders covers the map
       for (let i = from; i <= to; i++) this.pixels[cells[i]] = shade;
       return;
     }
