@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from acoexp.colony.state import Kernel, Own
 from acoexp.colony.tape import Noted, Reel, Tape, noting
 from acoexp.errors import SettingsError
+from acoexp.grid.grid import Grid
 from acoexp.trial.result import Result
+from acoexp.trial.settings import Settings
 from acoexp.trial.solver import Solver, loop_of
 from acoexp.trial.workspace import End, Workspace, direction_offsets
 
@@ -55,14 +57,9 @@ class Recorder(Solver):
         return workspace._replace(room=room._replace(own=_with(room.own, self._tape), facing=facing))
 
     def _new_tape(self) -> Tape:
-        problem, scalars = self._ends[0].problem, self.settings.scalars
-        cells, cycles, ants = problem.grid.obstacles.size, scalars.iterations, scalars.ants
+        check_size(self.grid, self.settings)
+        cycles, ants = self.settings.scalars.iterations, self.settings.scalars.ants
         bordered = self._ends[0].prepared.desirability.size // 8
-        most = min(LARGEST // (4 * bordered) - 1, LARGEST // (16 * ants))
-        if cycles > most:
-            raise SettingsError(
-                f"iterations: expected at most {most} to record {ants} ants on {cells} cells; got {cycles}"
-            )
         levels = np.empty((cycles + 1, bordered), dtype=np.float32)
         levels[0] = np.max([_into_cells(end) for end in self._ends], axis=0)
         has_post = self._kernels.post is not None
@@ -78,10 +75,25 @@ class Recorder(Solver):
         if self._tape.full[0]:
             scalars = self.settings.scalars
             raise SettingsError(
-                f"ants: expected fewer, or fewer iterations, for a recording, whose ways may have {LARGEST} moves in "
-                f"all; got {scalars.ants} ants in {scalars.iterations} cycles"
+                f"ants: expected fewer, or fewer iterations, for a recording, whose ways may have {LARGEST} moves "
+                f"in all; got {scalars.ants} ants in {scalars.iterations} cycles"
             )
         super()._check(verdict, seed)
+
+
+def check_size(grid: Grid, settings: Settings) -> None:
+    """Refuse what there is too much of to be recorded.
+
+    Raises:
+        SettingsError: if pheromone, or what is noted of each ant, would take more than ``LARGEST`` bytes.
+    """
+    cells, cycles, ants = grid.obstacles.size, settings.scalars.iterations, settings.scalars.ants
+    bordered = cells + 2 * sum(grid.shape) + 4
+    most = min(LARGEST // (4 * bordered) - 1, LARGEST // (16 * ants))
+    if cycles > most:
+        raise SettingsError(
+            f"iterations: expected at most {most} to record {ants} ants on {cells} cells; got {cycles}"
+        )
 
 
 def _with(own: Own, tape: Tape) -> Own:

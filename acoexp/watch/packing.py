@@ -1,8 +1,8 @@
 """Packing: recordings as the page takes them, a few bits for each cell and move, deflated.
 
 Pheromone is one byte for each cell and cycle, on a logarithmic scale of the cycle's own, from its weakest to its
-strongest. Cells that are as most cells in all cycles take no room, of the others there is the difference to the cycle
-before. A way is the turns that it takes, in eighths of a circle.
+strongest. Cells that are as most cells in all cycles take no room, of the others there is the difference to the
+cycle before. A way is the turns that it takes, in eighths of a circle.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from acoexp.grid.field import potential_field
 from acoexp.grid.grid import Grid
 from acoexp.trial.features import without_nan
-from acoexp.watch.recording import Recording, Way
+from acoexp.watch.cycles import Cycles, Way
 
 WIDEST = 1e3
 """How much stronger the strongest pheromone may be than what has the colour of the weakest."""
@@ -55,7 +55,7 @@ class Packed(NamedTuple):
     colony: dict[str, Any]
 
 
-def packed(name: str, recording: Recording) -> Packed:
+def packed(name: str, recording: Cycles) -> Packed:
     """Return a recording, packed, under a name for it."""
     scales, levels = _pheromone(recording)
     common, grid, result = _common(levels), recording.grid, recording.result
@@ -83,7 +83,7 @@ def packed(name: str, recording: Recording) -> Packed:
         "heuristic": _deflated(_preferred(recording.desirability)),
         **_ways(recording),
     }
-    seen = (levels > common[:, None]).any(axis=0).reshape(grid.shape)
+    seen = np.asarray((levels > common[:, None]).any(axis=0)).reshape(grid.shape)
     return Packed(grid, recording.cycles, seen, without_nan(colony))
 
 
@@ -125,10 +125,11 @@ class Scale(NamedTuple):
         """Return where values are on the scale; 0 for those below it."""
         span = np.log(self.high / self.low) or 1.0
         place = np.log(np.maximum(values, self.low) / self.low) / span
-        return np.rint(255.0 * np.minimum(place, 1.0)).astype(np.uint8)
+        bytes_: NDArray[np.uint8] = np.rint(255.0 * np.minimum(place, 1.0)).astype(np.uint8)
+        return bytes_
 
 
-def _pheromone(recording: Recording) -> tuple[list[Scale], NDArray[np.uint8]]:
+def _pheromone(recording: Cycles) -> tuple[list[Scale], NDArray[np.uint8]]:
     """Return the scale of each cycle, one before the first included, and the bytes, uint8[cycles + 1, cells]."""
     scales, levels = [], []
     for row in recording.pheromone:
@@ -139,7 +140,7 @@ def _pheromone(recording: Recording) -> tuple[list[Scale], NDArray[np.uint8]]:
 
 
 def _window(grid: Grid, seen: NDArray[np.bool_]) -> list[int]:
-    """Return what of a large map there is to be seen, [top, left, bottom, right]: where ants were, and a margin."""
+    """Return what is shown of a map, [top, left, bottom, right]: of a large one where ants were, and a margin."""
     rows, cols = grid.shape
     if max(rows, cols) <= SMALL:
         return [0, 0, rows, cols]
@@ -156,14 +157,14 @@ def _common(levels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.array([np.bincount(row, minlength=256).argmax() for row in levels], dtype=np.uint8)
 
 
-def _shown_ants(recording: Recording) -> list[list[int]]:
+def _shown_ants(recording: Cycles) -> list[list[int]]:
     """Return the ants of each cycle that are shown: some of many, evenly chosen, the cycle's best among them."""
     ants = recording.settings.scalars.ants
     some = np.unique(np.linspace(0, ants - 1, min(ants, MOST_ANTS)).round().astype(int)).tolist()
     return [some if best < 0 or best in some else [best, *some[1:]] for best in recording.winners.tolist()]
 
 
-def _ways(recording: Recording) -> dict[str, Any]:
+def _ways(recording: Cycles) -> dict[str, Any]:
     shown, winners, turns, steps, lost, best = _shown_ants(recording), recording.winners.tolist(), [], [], [], []
     for cycle, (ants, winner) in enumerate(zip(shown, winners, strict=True), 1):
         ways: list[Way] = recording.ways(cycle)
@@ -199,7 +200,7 @@ def _digits(moves: NDArray[np.uint8]) -> str:
 
 
 def _turns(moves: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    return np.diff(moves, prepend=np.uint8(0)) & 7
+    return (np.diff(moves, prepend=np.uint8(0)) & 7).astype(np.uint8)
 
 
 def _deflated(values: NDArray[Any]) -> str:

@@ -43,8 +43,8 @@ def page_of(colonies: Sequence[Packed]) -> str:
     )
     if len(page) > LARGEST:
         raise SettingsError(
-            f"iterations: expected fewer, or fewer cells side by side, for a page of at most {LARGEST // 2**20} MB; "
-            f"got {len(page) / 2**20:.1f} MB for {cycles} cycles on a map of {grid.obstacles.size} cells"
+            f"iterations: expected fewer, or fewer cells side by side, for a page of at most {LARGEST // 2**20} "
+            f"MB; got {len(page) / 2**20:.1f} MB for {cycles} cycles on a map of {grid.obstacles.size} cells"
         )
     return page
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +11,7 @@ from acoexp.errors import SettingsError
 from acoexp.parameters import parameter
 from acoexp.report.context import Context
 from acoexp.report.report import Report
+from acoexp.trial.recorder import check_size
 from acoexp.trial.settings import Settings
 from acoexp.watch.packing import Packed, packed
 from acoexp.watch.page import data_of, page_of
@@ -32,8 +32,9 @@ class Watch(Report):
     )
 
     def check(self, context: Context) -> None:
-        """Refuse cells that are not known, more than fit, and parts that no cell would use."""
-        self._settings(context)
+        """Refuse cells that are not known, more than fit, too large ones, and parts that no cell would use."""
+        for settings in self._settings(context).values():
+            check_size(context.grid, settings)
 
     def write(self, context: Context) -> Path:
         """Run the trials with the command line's seed and write the page."""
@@ -72,4 +73,8 @@ def _packed(context: Context, name: str, settings: Settings) -> Packed:
 
 def _found(colony: Mapping[str, list[Mapping[str, float]]]) -> list[str]:
     """Return the best length and the cycle that found it, as the page has them."""
-    return [f"{colony['bests'][-1]['length']:.4f}", str(colony["bests"][-1]["cycle"])] if colony["bests"] else ["-"] * 2
+    return (
+        [f"{colony['bests'][-1]['length']:.4f}", str(colony["bests"][-1]["cycle"])]
+        if colony["bests"]
+        else ["-"] * 2
+    )

@@ -10,9 +10,7 @@ from acoexp.colony.tape import Reel, note_levels, note_ways
 
 
 def new_reel(room: int, cycles: int, ants: int) -> Reel:
-    return Reel(
-        np.zeros(room, dtype=np.uint8), np.zeros((cycles, ants), dtype=np.int64), np.zeros((cycles, ants))
-    )
+    return Reel(np.zeros(room, dtype=np.uint8), np.zeros((cycles, ants), dtype=np.int64), np.zeros((cycles, ants)))
 
 
 def test_ways_stand_one_after_another() -> None:
