@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -14,7 +14,6 @@ from acoexp.errors import SettingsError, shown
 from acoexp.grid.grid import Grid
 from acoexp.trial.result import Result
 from acoexp.trial.settings import Settings
-from acoexp.trial.solver import Solver
 
 Moves = NDArray[np.uint8]
 """A way as directions 0..7 from the start, see :data:`acoexp.grid.moves.DIRECTIONS`."""
@@ -79,21 +78,10 @@ class Cycles:
         """Pheromone on each cell, float32[cycles + 1, rows, cols]: before the first cycle, and after each.
 
         It is the highest level on an edge into the cell, of both colonies where ants set out from both ends; 0
-        where no move leads. Only levels relative to each other count. :func:`pheromone_on_edges` has all.
+        where no move leads. Only levels relative to each other count.
         """
         rows, cols = self.grid.shape
         return self.tape.levels.reshape(-1, rows + 2, cols + 2)[:, 1:-1, 1:-1]
-
-    def pheromone_on_edges(self, cycle: int) -> NDArray[np.float64]:
-        """Return the pheromone on each move from each cell after a cycle, float64[rows, cols, 8].
-
-        The trial is run again up to there: see :func:`acoexp.trial.solver.Solver.pheromone`.
-
-        Raises:
-            SettingsError: if the cycle is not a whole number from 1 to the number of cycles.
-        """
-        scalars = replace(self.settings.scalars, iterations=self._checked(cycle))
-        return Solver(self.grid, replace(self.settings, scalars=scalars)).pheromone(self.result.seed)
 
     def ways(self, cycle: int) -> list[Way]:
         """Return what each ant of a cycle did, in their order.
@@ -101,7 +89,7 @@ class Cycles:
         Raises:
             SettingsError: if the cycle is not a whole number from 1 to the number of cycles.
         """
-        row = self._checked(cycle) - 1
+        row = self.checked(cycle) - 1
         walked, polished = _cut(self.tape.walked, row), _cut(self.tape.polished, row)
         return [
             Way(moves, polished[ant] if polished and length < np.inf else None, length)
@@ -134,7 +122,12 @@ class Cycles:
         optimised = polished.length.size and polished.length[row, ant] <= walked.length[row, ant]
         return _cut(polished if optimised else walked, row)[ant]
 
-    def _checked(self, cycle: int) -> int:
+    def checked(self, cycle: int) -> int:
+        """Return a cycle's number.
+
+        Raises:
+            SettingsError: if it is not a whole number from 1 to the number of cycles.
+        """
         if isinstance(cycle, bool) or not isinstance(cycle, int | np.integer) or not 1 <= cycle <= self.cycles:
             raise SettingsError(f"cycle: expected a whole number from 1 to {self.cycles}; got {shown(cycle)}")
         return int(cycle)

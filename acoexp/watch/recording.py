@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import Unpack
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from acoexp.api import Options
 from acoexp.console.whole import write_whole
@@ -16,6 +18,7 @@ from acoexp.registry.load_map import as_grid
 from acoexp.registry.resolve import resolve
 from acoexp.trial.recorder import Recorder
 from acoexp.trial.settings import Settings
+from acoexp.trial.solver import Solver
 from acoexp.watch.cycles import Cycles
 from acoexp.watch.packing import packed
 from acoexp.watch.page import framed, page_of
@@ -23,6 +26,17 @@ from acoexp.watch.page import framed, page_of
 
 class Recording(Cycles):
     """One trial, cycle by cycle; shown in a notebook it is the page that plays it."""
+
+    def pheromone_on_edges(self, cycle: int) -> NDArray[np.float64]:
+        """Return the pheromone on each move from each cell after a cycle, float64[rows, cols, 8].
+
+        The trial is run again up to there: see :func:`acoexp.trial.solver.Solver.pheromone`.
+
+        Raises:
+            SettingsError: if the cycle is not a whole number from 1 to the number of cycles.
+        """
+        scalars = replace(self.settings.scalars, iterations=self.checked(cycle))
+        return Solver(self.grid, replace(self.settings, scalars=scalars)).pheromone(self.result.seed)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the page that plays the recording, one HTML file that needs no other.

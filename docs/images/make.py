@@ -1,8 +1,10 @@
-"""Make the README's pictures anew: python docs/images/make.py (needs chromium)."""
+"""Make the README's pictures anew: python docs/images/make.py [trial | watching | comparison] (needs chromium)."""
 
 from __future__ import annotations
 
+import io
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,8 +15,10 @@ import urllib.request
 from pathlib import Path
 
 from PIL import Image
+from playwright.sync_api import Page, sync_playwright
 
 IMAGES = Path(__file__).parent
+CYCLES, FRAMES_A_CYCLE = 7, 8
 PORT = 5599
 ADDRESS = f"http://127.0.0.1:{PORT}"
 STORE = ["--backend-store-uri", "sqlite:///outputs/mlflow.db"]
@@ -39,6 +43,30 @@ def trial(folder: Path) -> None:
     whole.paste(left, (0, 0))
     whole.paste(right, (left.width, (left.height - right.height) // 2))
     whole.quantize(256).save(IMAGES / "trial.png", optimize=True)
+
+
+def watching(folder: Path) -> None:
+    """The first cycles of two colonies side by side, as the page of report=watch plays them."""
+    acoexp(folder, "report=watch", "report.cells=[aco,pdg]", "map=env2", "seed=3", "tracking=none")
+    page_file = folder / "outputs/reports/watch/index.html"
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        page = browser.new_page(viewport={"width": 900, "height": 720}, color_scheme="dark")
+        page.goto(page_file.as_uri())
+        page.wait_for_selector("canvas[aria-label]")
+        frames = [frame_at(page, step / FRAMES_A_CYCLE) for step in range(CYCLES * FRAMES_A_CYCLE + 1)]
+        browser.close()
+    palette = frames[len(frames) // 4].quantize(80)
+    first, *others = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+    first.save(
+        IMAGES / "watching.gif", save_all=True, append_images=others, duration=[90] * len(others) + [2000], loop=0
+    )
+
+
+def frame_at(page: Page, time: float) -> Image.Image:
+    """The page as it is at a time, in cycles."""
+    page.evaluate(f"acoexp.seek({time})")
+    return Image.open(io.BytesIO(page.screenshot())).convert("RGB")
 
 
 def comparison(folder: Path) -> None:
@@ -75,6 +103,7 @@ def finished_runs() -> list[str]:
 
 
 if __name__ == "__main__":
-    for make in (trial, comparison):
+    known = {make.__name__: make for make in (trial, watching, comparison)}
+    for make in [known[name] for name in sys.argv[1:]] or known.values():
         with tempfile.TemporaryDirectory() as folder:
             make(Path(folder))

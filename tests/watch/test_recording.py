@@ -10,6 +10,9 @@ import pytest
 from samples import everything
 
 from acoexp import Recording, SettingsError, StrategyError, record, solve
+from acoexp.registry.load_map import load_map
+from acoexp.registry.resolve import resolve
+from acoexp.trial.solver import Solver
 
 pytestmark = pytest.mark.slow_without_jit
 
@@ -17,6 +20,13 @@ pytestmark = pytest.mark.slow_without_jit
 def test_its_result_is_what_solve_returns(recording: Recording) -> None:
     assert everything(recording.result) == everything(solve("env2", "pdg", seed=3, iterations=12))
     assert repr(recording) == f"<recording of 12 cycles of {recording.result!r}>"
+
+
+def test_the_pheromone_on_all_edges_is_that_of_a_trial_of_so_many_cycles(recording: Recording) -> None:
+    edges = recording.pheromone_on_edges(4)
+    expected = Solver(load_map("env2"), resolve("pdg", {"iterations": 4})).pheromone(3)
+    assert np.array_equal(edges, expected, equal_nan=True)
+    assert np.float32(np.nanmax(edges)) == recording.pheromone[4].max()
 
 
 def test_the_arguments_are_those_of_solve() -> None:
