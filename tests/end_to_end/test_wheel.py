@@ -110,6 +110,13 @@ def test_the_papers_report_comes_with_the_wheel(installed: Installed, tmp_path: 
     assert (tmp_path / "outputs/reports/paper/index.html").stat().st_size > 100_000
 
 
+def test_the_page_that_plays_a_trial_comes_with_the_wheel(installed: Installed, tmp_path: Path) -> None:
+    installed.acoexp("report=watch", "algo=aco", *QUICK, cwd=tmp_path)
+    page = (tmp_path / "outputs/reports/watch/index.html").read_text(encoding="utf-8")
+    assert "window.acoexp = {" in page
+    assert "{{" not in page
+
+
 def test_it_is_swept_and_tracked_beside_a_built_in_one(installed: Installed, tmp_path: Path) -> None:
     table = installed.acoexp("algo=shy,pdg", "map=env2", "-m", "seed=0-2", "iterations=5", cwd=tmp_path)
     assert "shy" in table
