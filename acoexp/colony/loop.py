@@ -17,16 +17,8 @@ from acoexp.colony.random import seed_stream
 from acoexp.colony.state import Kernel, Kernels
 from acoexp.colony.steps import idle
 from acoexp.colony.trails import copy_trail, leads_to_goal, read_cells, write_cells
+from acoexp.colony.verdicts import NO_PATH, STOPPED, UNSOUND
 from acoexp.colony.walk import Order
-
-NO_PATH = -1
-"""What the loop returns if a choice made moves that are not allowed."""
-
-UNSOUND = -3
-"""What the loop returns if a part made pheromone negative or not a number."""
-
-STOPPED = -2
-"""What the loop returns if it was told to stop."""
 
 
 def make_loop(order: Order, steps_back: bool, kernels: Kernels) -> Kernel:

@@ -5,8 +5,41 @@ from __future__ import annotations
 from typing import Any
 
 from acoexp.colony import diagnosis
-from acoexp.errors import StrategyError
+from acoexp.colony.verdicts import NO_PATH, STOPPED, UNSOUND
+from acoexp.errors import AcoexpError, StrategyError
 from acoexp.trial.settings import Settings
+
+
+def check(settings: Settings, moves: str, seed: int, verdict: int) -> None:
+    """Blame the part that broke its contract in a trial, if one did.
+
+    Args:
+        settings: Its settings.
+        moves: The rule for diagonals.
+        seed: Its seed.
+        verdict: What the loop returned.
+
+    Raises:
+        StrategyError: if a part broke its contract.
+        AcoexpError: if the trial was stopped.
+    """
+    if verdict > 0:
+        raise StrategyError(
+            f"{culprit(settings, 'post')} broke its contract, seed {seed}, cycle {verdict}: "
+            "what the post-optimiser returned is no path from start to goal; expected allowed moves"
+        )
+    if verdict == UNSOUND:
+        raise StrategyError(
+            f"{suspects(settings)} broke its contract, seed {seed}: it made pheromone "
+            "negative or not a number; expected numbers, at least 0"
+        )
+    if verdict == STOPPED:
+        raise AcoexpError(f"seed {seed} was stopped")
+    if verdict == NO_PATH:
+        raise StrategyError(
+            f"{culprit(settings, 'choice')} broke its contract, seed {seed}: an ant made moves "
+            f"that are not allowed under the rule {moves!r}; expected an open one, or LOST"
+        )
 
 
 def not_compiled(settings: Settings, problem: Exception) -> StrategyError:

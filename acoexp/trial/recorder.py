@@ -33,9 +33,9 @@ class Recorder(Solver):
                 ``LARGEST`` bytes of pheromone, or of ways.
             StrategyError: if a part broke its contract.
         """
-        result = self.solve(seed)
-        tape = self._tape
-        return result, tape._replace(walked=_wound(tape.walked), polished=_wound(tape.polished))
+        result, tape = self.solve(seed), self._tape
+        walked, polished = _wound(tape.walked, result.cycles), _wound(tape.polished, result.cycles)
+        return result, tape._replace(walked=walked, polished=polished, levels=tape.levels[: result.cycles + 1])
 
     @property
     def desirability(self) -> NDArray[np.float64]:
@@ -110,9 +110,10 @@ def _new_reel(cycles: int, ants: int, cells: int) -> Reel:
     )
 
 
-def _wound(reel: Reel) -> Reel:
-    """Return a reel without the room that was not used."""
-    return reel._replace(moves=reel.moves[: reel.ends[-1, -1] if reel.ends.size else 0].copy())
+def _wound(reel: Reel, cycles: int) -> Reel:
+    """Return a reel without the room that was not used in so many cycles."""
+    ends = reel.ends[:cycles]
+    return Reel(reel.moves[: ends[-1, -1] if ends.size else 0].copy(), ends, reel.length[:cycles])
 
 
 def _into_cells(end: End) -> NDArray[np.float64]:

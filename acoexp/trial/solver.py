@@ -11,7 +11,7 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
-from acoexp.colony.loop import NO_PATH, STOPPED, UNSOUND, make_loop
+from acoexp.colony.loop import make_loop
 from acoexp.colony.orders import ORDERS
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Kernel, Kernels, Record, Room, Trails
@@ -208,23 +208,7 @@ class Solver:
 
     def _check(self, verdict: int, seed: int) -> None:
         """Blame the part that broke its contract, if one did."""
-        if verdict > 0:
-            raise StrategyError(
-                f"{failures.culprit(self.settings, 'post')} broke its contract, seed {seed}, cycle {verdict}: "
-                "what the post-optimiser returned is no path from start to goal; expected allowed moves"
-            )
-        if verdict == UNSOUND:
-            raise StrategyError(
-                f"{failures.suspects(self.settings)} broke its contract, seed {seed}: it made pheromone "
-                "negative or not a number; expected numbers, at least 0"
-            )
-        if verdict == STOPPED:
-            raise AcoexpError(f"seed {seed} was stopped")
-        if verdict == NO_PATH:
-            raise StrategyError(
-                f"{failures.culprit(self.settings, 'choice')} broke its contract, seed {seed}: an ant made moves "
-                f"that are not allowed under the rule {self.grid.moves!r}; expected an open one, or LOST"
-            )
+        failures.check(self.settings, self.grid.moves, seed, verdict)
 
     def _prepare(self, grid: Grid) -> None:
         self.grid = grid

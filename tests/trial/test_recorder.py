@@ -77,6 +77,14 @@ def into_cells(edges: Any) -> Any:
     return highest
 
 
+def test_a_trial_that_ends_early_has_no_more_cycles_on_its_tape() -> None:
+    chosen = resolve("pdg", {"iterations": 60, "patience": 3})
+    result, tape = Recorder(as_grid("fig13"), chosen).record(1)
+    assert 3 < result.cycles < 60
+    assert len(tape.walked.ends) == len(tape.polished.ends) == len(tape.levels) - 1 == result.cycles
+    assert tape.walked.ends[-1, -1] == tape.walked.moves.size > 0
+
+
 @pytest.mark.parametrize("algo", ["aco", "eas", "mmas"])
 def test_before_the_first_cycle_the_levels_are_the_initial_ones(algo: str) -> None:
     grid = as_grid("fig13")
