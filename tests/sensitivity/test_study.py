@@ -34,7 +34,8 @@ def trials(seeds: Any, arrives: bool = True) -> Trials:
     """Return trials that find the optimum at once, or in which no ant arrives."""
     n = len(seeds)
     pairs = np.full((n, 4, 2), -1) if not arrives else np.tile([0, 1], (n, 4, 1))
-    return Trials(seeds.array(), pairs, np.zeros((n, 4), dtype=np.int64), np.zeros((n, 4), dtype=np.int64))
+    lost, steps = np.zeros((2, n, 4), dtype=np.int64)
+    return Trials(seeds.array(), pairs, lost, steps, np.full(n, 4, np.int32), np.zeros((n, 5)))
 
 
 def test_curves_share_their_seeds_and_each_point_of_the_design_has_its_own() -> None:

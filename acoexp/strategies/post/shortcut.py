@@ -128,7 +128,7 @@ def optimise(colony: Any, own: Any, cells: Any, count: Any) -> Any:
     while True:
         before, straight = count, _straight_moves(colony, cells, count)
         count = cut_loops(own, cells, straighten(colony, own, cells, count))
-        if count == before and _straight_moves(colony, cells, count) >= straight:
+        if count == before and _straight_moves(colony, cells, count) <= straight:  # of so many, more are shorter
             return count
 
 

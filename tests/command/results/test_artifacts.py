@@ -45,6 +45,6 @@ def test_where_no_ant_arrived_there_is_no_path() -> None:
         *("aco", 0, solve("fig13", "aco", 0, iterations=1).grid, None, None),
         curve_pairs=np.full((2, 2), -1, np.int32),
         lost_ants=np.ones(2, np.int32),
-        ant_steps=4,
+        cycle_steps=np.full(2, 2),
     )
     assert carried(lost) == {}

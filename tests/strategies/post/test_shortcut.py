@@ -82,6 +82,13 @@ def test_a_cell_that_runs_lead_over_twice_is_on_the_path_once() -> None:
     assert is_way(grid, applied(grid, around))
 
 
+def test_a_path_of_as_many_but_straighter_moves_is_shorter_so_it_is_gone_over_again() -> None:
+    grid = random_grid(1814, 4, 5, "no_cut", 0.25)
+    zigzag = [(0, 3), (1, 4), (2, 3), (3, 2), (2, 1), (3, 0)]
+    assert is_way(grid, zigzag)
+    assert applied(grid, zigzag) == [(0, 3), (1, 3), (2, 2), (3, 1), (3, 0)]
+
+
 @settings(max_examples=200, deadline=None)
 @given(walks())
 def test_every_path_becomes_what_the_plain_search_makes_of_it(walk: tuple[Grid, Path]) -> None:

@@ -41,7 +41,16 @@ def result(*pairs: tuple[int, int]) -> Result:
     """Return a trial whose cycles found paths of so many (straight, diagonal) moves, and lost an ant each."""
     curve_pairs = np.array(pairs, dtype=np.int32)
     arrives = np.array([7, 7], dtype=np.uint8) if max(pairs) > (-1, -1) else None
-    return Result("aco", 0, GRID, arrives, None, curve_pairs, np.ones(len(pairs), dtype=np.int32), 1)
+    return Result(
+        "aco",
+        0,
+        GRID,
+        arrives,
+        None,
+        curve_pairs,
+        np.ones(len(pairs), dtype=np.int32),
+        np.ones(len(pairs), dtype=np.int64),
+    )
 
 
 def values(metrics: Any) -> dict[str, float]:
@@ -72,7 +81,9 @@ def test_on_a_map_in_metres_clearances_are_in_metres_too() -> None:
     walled = Grid([[0, 0, 0], [0, 0, 0], [1, 0, 0]], goal=(0, 2), frame=Frame(rows=3, resolution=0.05))
     moves = np.zeros(2, dtype=np.uint8)
     curve_pairs = np.array([[2, 0]], dtype=np.int32)
-    said = values(trial_metrics(Result("aco", 0, walled, moves, None, curve_pairs, np.zeros(1, np.int32), 2)))
+    said = values(
+        trial_metrics(Result("aco", 0, walled, moves, None, curve_pairs, np.zeros(1, np.int32), np.full(1, 2)))
+    )
     assert (said["clearance_least"], said["clearance_least_m"]) == (2.0, 0.1)
     assert said["clearance_mean_m"] == pytest.approx(0.05 * (2 + math.sqrt(5) + math.sqrt(8)) / 3)
 
