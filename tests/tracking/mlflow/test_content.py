@@ -41,16 +41,8 @@ def result(*pairs: tuple[int, int]) -> Result:
     """Return a trial whose cycles found paths of so many (straight, diagonal) moves, and lost an ant each."""
     curve_pairs = np.array(pairs, dtype=np.int32)
     arrives = np.array([7, 7], dtype=np.uint8) if max(pairs) > (-1, -1) else None
-    return Result(
-        "aco",
-        0,
-        GRID,
-        arrives,
-        None,
-        curve_pairs,
-        np.ones(len(pairs), dtype=np.int32),
-        np.ones(len(pairs), dtype=np.int64),
-    )
+    lost, steps = np.ones(len(pairs), dtype=np.int32), np.eye(1, len(pairs), dtype=np.int64)[0]
+    return Result("aco", 0, GRID, arrives, None, curve_pairs, lost, steps)
 
 
 def values(metrics: Any) -> dict[str, float]:
