@@ -38,6 +38,8 @@ MOST_ANTS = 60
 NOWHERE = 8
 """The direction of what has none."""
 
+_GONE = float(np.finfo(np.float32).tiny)
+
 
 class Packed(NamedTuple):
     """A recording, packed.
@@ -132,9 +134,11 @@ class Scale(NamedTuple):
 def _pheromone(recording: Cycles) -> tuple[list[Scale], NDArray[np.uint8]]:
     """Return the scale of each cycle, one before the first included, and the bytes, uint8[cycles + 1, cells]."""
     scales, levels = [], []
+    led_to = recording.grid.allowed.ravel() > 0  # a way that can be gone can be come
     for row in recording.pheromone:
         finite = np.nan_to_num(row.ravel()).astype(np.float64)
-        scales.append(Scale.of(finite, WIDEST, NARROWEST))
+        # what has all but gone is the weakest that there is, and no reason to leave it out
+        scales.append(Scale.of(finite[led_to].clip(min=_GONE), WIDEST, NARROWEST))
         levels.append(scales[-1].bytes_of(finite))
     return scales, np.stack(levels)
 

@@ -37,6 +37,15 @@ def test_pheromone_is_told_within_two_percent(recording: Recording) -> None:
         assert high <= 1.001 * WIDEST * low
 
 
+def test_what_has_evaporated_to_nothing_is_the_weakest_and_the_strongest_still_stands_out() -> None:
+    long = record("fig13", "pdg", seed=1)
+    last = long.pheromone[-1]
+    assert (last[long.grid.allowed > 0] == 0.0).any()
+    low, high = packed("pdg", long).colony["scales"][-1]
+    assert high == pytest.approx(last.max())
+    assert high == pytest.approx(WIDEST * low)
+
+
 def test_ways_are_told_exactly(recording: Recording) -> None:
     colony = packed("pdg", recording).colony
     turns, steps = unpacked(colony["turns"]), unpacked(colony["steps"], "<u4")
