@@ -12,6 +12,7 @@ import urllib.request
 from pathlib import Path
 
 import pytest
+from pages import CHROMIUM, browser, show  # noqa: F401
 
 from acoexp.colony import pheromone
 from acoexp.colony.scalars import ColonySettings
@@ -45,11 +46,18 @@ def as_a_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.mark.slow_without_jit
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_every_block_runs(page: Path, as_a_reader: Path) -> None:
+def test_every_block_runs_and_the_pages_that_it_writes_open(
+    page: Path, as_a_reader: Path, request: pytest.FixtureRequest
+) -> None:
     for language, text in commands(page):
         command = ["bash", "-euo", "pipefail", "-c", text] if language == "bash" else [sys.executable, "-c", text]
         done = subprocess.run(command, cwd=as_a_reader, capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, f"{text}\n{done.stderr}"
+    written = [*as_a_reader.glob("outputs/reports/*/index.html")]
+    if written and CHROMIUM:
+        show = request.getfixturevalue("show")
+        for report in written:
+            assert show(report, awaits="body").title()
 
 
 @pytest.mark.parametrize("page", [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))], ids=lambda p: p.name)

@@ -1,57 +1,13 @@
-"""A recording, its page, and a browser to open it in."""
+"""A recording, and a browser to open its page in."""
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Callable, Iterator
-from pathlib import Path
-from typing import Any
-
 import pytest
+from pages import browser, show  # noqa: F401
 
 from acoexp import Recording, record
-
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-
-_FLAGS = ("--no-sandbox", "--disable-background-networking", "--disable-component-update", "--disable-sync")
 
 
 @pytest.fixture(scope="session")
 def recording() -> Recording:
     return record("env2", "pdg", seed=3, iterations=12)
-
-
-@pytest.fixture(scope="session")
-def browser() -> Iterator[Any]:
-    if CHROMIUM is None:
-        pytest.skip("no chromium to open the page in")
-    playwright = pytest.importorskip("playwright.sync_api")
-    with playwright.sync_playwright() as driver:
-        opened = driver.chromium.launch(executable_path=CHROMIUM, args=list(_FLAGS))
-        yield opened
-        opened.close()
-
-
-@pytest.fixture
-def show(browser: Any) -> Iterator[Callable[..., Any]]:
-    """Open a page; what it complains of, or asks of anybody but itself, fails the test that opened it."""
-    complaints: list[str] = []
-    contexts: list[Any] = []
-
-    def opened(file: Path, **options: Any) -> Any:
-        contexts.append(browser.new_context(viewport={"width": 1300, "height": 850}, **options))
-        page = contexts[-1].new_page()
-        page.on("console", lambda said: complaints.append(f"{said.type}: {said.text}"))
-        page.on("pageerror", lambda problem: complaints.append(str(problem)))
-        page.on(
-            "request",
-            lambda asked: None if asked.url in (file.as_uri(), "data:,") else complaints.append(asked.url),
-        )
-        page.goto(file.as_uri())
-        page.wait_for_selector("canvas[aria-label]")
-        return page
-
-    yield opened
-    for context in contexts:
-        context.close()
-    assert complaints == []
