@@ -109,7 +109,7 @@ def _clamp(
     """Bring the level of an edge, until now of the former scale, into the limits."""
     before = colony.stored[edge] * former
     after = into_bounds(before, lowest, highest)
-    if after == before and colony.weight[edge] * growth_to_alpha >= SMALLEST_EXACT:
+    if after == before and SMALLEST_EXACT <= colony.weight[edge] * growth_to_alpha < np.inf:
         colony.stored[edge] *= growth
         colony.weight[edge] *= growth_to_alpha
         return

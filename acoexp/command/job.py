@@ -188,7 +188,9 @@ class Job:
 
     def _setup_with_command(self) -> Setup:
         """Return the setup with the command that runs this job alone, but for where it is kept."""
-        return replace(self.setup, command=command_of(HydraConfig.get().overrides.task))
+        hydra = HydraConfig.get()
+        own = (source.path for source in hydra.runtime.config_sources if source.provider == "command-line")
+        return replace(self.setup, command=command_of(hydra.overrides.task, next(own, None)))
 
     def _keys(self) -> tuple[JobKeys, Seeds | None]:
         given = {key: self.config.get(key) for key in fields_of(JobKeys)}

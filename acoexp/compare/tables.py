@@ -66,9 +66,9 @@ def learning_table(rows: Sequence[Row]) -> Table:
     """Return how much of a result is the colony's."""
     note = (
         "Where paths are optimised after the walk: by how much the best path exceeds the exact optimum, mean over "
-        "the trials that arrived (in brackets, if not all did). Cycle 1: before any learning. alpha = 0: all "
-        "cycles, but ants never see pheromone. What the last column gains on these two is the colony's; the rest "
-        "is the optimiser's and the heuristic's."
+        "the trials that arrived (in brackets, if not all did). Cycle 1: the first ants, among whom pheromone may "
+        "diffuse already. alpha = 0: all cycles, but ants never see pheromone. What the last column gains on that "
+        "is learned; the rest is the optimiser's, the heuristic's, and that of many tries."
     )
     gaps = {"first": "cycle 1", "blind": "alpha = 0", "learned": "the run"}
     texts = [[row["map"], row["cell"], *(_percent(row, name) for name in gaps)] for row in rows]

@@ -24,6 +24,9 @@ from numpy.typing import NDArray
 MOST_STEPS = 100_000
 """Intervals after which a search is given up: some seconds."""
 
+MOST_CELLS = 512 * 512
+"""Cells of the largest map that is searched; what is looked at before the first step grows with them."""
+
 _SAME = 1e-7
 
 Run = tuple[int, int]
@@ -64,8 +67,10 @@ def any_angle_length(
         squeezes: Whether it may pass between two obstacles that meet at a corner.
 
     Returns:
-        The length; nan where ``MOST_STEPS`` do not suffice.
+        The length; nan where ``MOST_STEPS`` do not suffice, and on maps of more than ``MOST_CELLS``.
     """
+    if obstacles.size > MOST_CELLS:
+        return nan
     return _Search(obstacles, goal, squeezes).run(start)
 
 

@@ -61,7 +61,7 @@ def keep_batch(
             found=kept.found_before(),
             show=show,
         )
-        kept.finish(batch, _of_best(batch, solver, artifacts))
+        kept.finish(batch, lambda: _of_best(batch, solver, artifacts))
     except BaseException as problem:
         kept.abandon(str(problem) or type(problem).__name__)
         raise
@@ -134,10 +134,10 @@ class _KeptBatch:
             self._run.keep(portion)
         self._receive(portion)
 
-    def finish(self, batch: Batch, artifacts: Artifacts) -> None:
+    def finish(self, batch: Batch, artifacts: Callable[[], Artifacts]) -> None:
         """Keep the aggregates and the table of all trials, and end the run."""
         if self._run is not None:
-            self._run.finish(batch, artifacts)
+            self._run.finish(batch, artifacts())
 
     def abandon(self, reason: str) -> None:
         if self._run is not None:

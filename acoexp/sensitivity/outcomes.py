@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 OUTCOMES = {
     "gap": "gap of the best length to the optimum (%)",
-    "cycles": "cycles until the optimum was found (at most all)",
+    "cycles": "cycles until the optimum was found (at most all that were run)",
     "found": "trials that found the optimum (%)",
     "lost": "ants that were lost (%)",
 }
@@ -36,15 +36,15 @@ class Measured:
 
     @classmethod
     def of(cls, trials: Trials, grid: Grid, settings: Settings) -> Measured:
-        """Return what trials came to; a trial that missed the optimum spent all of its cycles."""
-        table, scalars = trials.table, settings.scalars
+        """Return what trials came to; a trial that missed the optimum spent all cycles that it ran."""
+        table, ants = trials.table, settings.scalars.ants
         found = table["l1"] == grid.optimum
         return cls(
             {
                 "gap": 100.0 * (table["l1"] / grid.optimum - 1.0),
-                "cycles": np.where(found, table["x1"], scalars.iterations).astype(np.float64),
+                "cycles": np.where(found, table["x1"], table["cycles"]).astype(np.float64),
                 "found": np.where(found, 100.0, 0.0),
-                "lost": 100.0 * table["lost_ants"] / (scalars.ants * scalars.iterations),
+                "lost": 100.0 * table["lost_ants"] / (ants * table["cycles"]),
             },
             found,
         )

@@ -107,6 +107,7 @@ def parse_span(text: str, whole: bool) -> Span:
         if not tagged and "," in text and "(" not in text:
             return _listed(text, whole)
         raise ValueError("expected numbers, such as interval(0.1,0.9), range(10,50,5) or choice(1,2,5)")
+    whole = whole or found[1].startswith("int(")
     if found[1] == "choice" and not tagged:
         return _listed(found[2], whole)
     numbers = _numbers(found[2], whole)
@@ -117,7 +118,7 @@ def parse_span(text: str, whole: bool) -> Span:
     if tagged and numbers[0] <= 0.0:
         raise ValueError("expected numbers above 0 with a log")
     low, high = numbers
-    return Span(low, high, log=bool(tagged), whole=whole or found[1].startswith("int("))
+    return Span(low, high, log=bool(tagged), whole=whole)
 
 
 def _listed(text: str, whole: bool) -> Span:

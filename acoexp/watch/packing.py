@@ -69,7 +69,7 @@ def packed(name: str, recording: Cycles) -> Packed:
     force_scale = Scale.of(strength, WIDEST_FORCE)
     colony = {
         "name": name,
-        "seed": result.seed,
+        "seed": str(result.seed),  # JavaScript would round it
         "cycles": recording.cycles,
         "ants": recording.settings.scalars.ants,
         "lost": result.lost_ants.tolist(),

@@ -143,7 +143,10 @@ def test_two_obstacles_that_meet_at_a_corner_let_a_path_through_where_they_let_a
     assert any_angle_length(walls, (0, 1), (1, 2), squeezes=False) > 3.0
 
 
-def test_a_search_that_would_take_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(any_angle, "MOST_STEPS", 3)
+@pytest.mark.parametrize(("bound", "value"), [("MOST_STEPS", 3), ("MOST_CELLS", 899)])
+def test_a_search_that_would_take_too_long_is_given_up(
+    bound: str, value: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(any_angle, bound, value)
     grid = random_grid(1, 30, 30, "no_cut")
     assert math.isnan(found(grid))

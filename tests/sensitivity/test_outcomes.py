@@ -44,3 +44,12 @@ def test_a_trial_in_which_no_ant_arrived_is_counted_and_has_the_gap_that_it_is_g
     assert one.with_gap(7.0)["gap"].tolist() == [0.0, 7.0, 5.0]
     assert np.isnan(one.outcomes["gap"][1])
     assert one.expected_cycles == np.inf
+
+
+def test_a_trial_that_patience_ended_spent_the_cycles_that_it_ran() -> None:
+    grid, chosen = load_map("env2"), resolve("aco", {"iterations": 60, "ants": 3, "patience": 2})
+    results = Solver(grid, chosen).solve_many(range(20))
+    assert len({result.cycles for result in results}) > 1
+    one = Measured.of(Trials.of(results), grid, chosen)
+    assert one.outcomes["cycles"].tolist() == [r.x1 if r.found_optimum else r.cycles for r in results]
+    assert one.outcomes["lost"] == pytest.approx([100.0 * r.lost_ants.sum() / (3 * r.cycles) for r in results])

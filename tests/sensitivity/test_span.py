@@ -108,3 +108,9 @@ def test_it_is_said_as_a_person_reads_it() -> None:
     assert said == ["0.1 to 0.9", "1 to 9, by logarithm", "1, 2, 5"]
     many = tuple(float(value) for value in range(100))
     assert str(Span(0.0, 99.0, values=many)) == "0, 1, 2, ..., 99"
+
+
+@pytest.mark.parametrize("text", ["int(interval(0.3,5))", "tag(log,int(interval(0.3,5)))", "int(interval(1,2.5))"])
+def test_whole_numbers_have_whole_ends_whatever_the_key(text: str) -> None:
+    with pytest.raises(ValueError, match="whole"):
+        parse_span(text, whole=False)

@@ -16,7 +16,7 @@ _RUNS_CODE = re.compile(r"(^|[\s/@.])hydra(?!\w)|_target_")
 _PLAIN_REFERENCE = re.compile(r"\$\{[\w.\[\]-]*\}")
 _KEYWORDS = ("_global_", "_group_", "_here_", "_name_")
 """Words that Hydra replaces in a package. Within another word it cuts them out, and what is left counts."""
-_PLACES = {"tracking": "uri", "report": "folder"}
+_PLACES = (("tracking", "uri"), ("tracking", "experiment"), ("report", "folder"))
 """Where results go, by the group and its key: only the command line says it."""
 
 
@@ -56,7 +56,7 @@ def check_option(file: str, config_path: str, package: str, content: Any) -> Non
                 f"{file}: expected plain values, or references such as ${{ants}}; an option file may not read the "
                 f"environment or files: got {text!r}"
             )
-    for group, key in _PLACES.items():
+    for group, key in _PLACES:
         there = re.compile(rf"(^|[./@]){group}([./@].*)?$")
         elsewhere = any(there.search(entry.partition("@")[2]) for entry in _defaults(content))
         within = bool(there.search(package or config_path.rpartition("/")[0]))

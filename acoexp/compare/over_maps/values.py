@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,11 +52,6 @@ def values_of_maps(maps: Sequence[Sequence[Sample]]) -> MapValues:
         gaps=_matrix(maps, median_gap),
         costs=_matrix(maps, expected_cost),
     )
-
-
-def by_map(samples: Sequence[Sample]) -> list[list[Sample]]:
-    """Return samples map by map; those of one map stand side by side."""
-    return [list(group) for _, group in groupby(samples, key=lambda sample: sample.map)]
 
 
 def median_gap(sample: Sample) -> float:

@@ -184,6 +184,9 @@ def test_settings_that_would_not_be_used_are_refused(tmp_path: Path) -> None:
     other_part = replace(context(tmp_path), settings=resolve("pdg", {"post": "none"}))
     with pytest.raises(AcoexpError, match="post: expected none with report=paper"):
         Paper().check(other_part)
+    hasty = replace(context(tmp_path), settings=resolve("pdg", {"patience": 5}))
+    with pytest.raises(AcoexpError, match="patience: expected none with report=paper"):
+        Paper().check(hasty)
 
 
 def test_the_command_finds_it_by_its_entry_point(tmp_path: Path) -> None:

@@ -28,3 +28,8 @@ def test_seeds_stand_as_a_person_writes_them() -> None:
 
 def test_it_is_one_line() -> None:
     assert "\n" not in command_of(["map.name=a\nb"])
+
+
+def test_option_files_of_a_persons_own_are_found_again() -> None:
+    said = command_of(["algo=mine"], "my options")
+    assert said == "python -m acoexp --config-dir 'my options' algo=mine"

@@ -7,7 +7,7 @@ import math
 import pytest
 from compared import LOST, sample
 
-from acoexp.compare.over_maps.values import by_map, expected_cost, median_gap, values_of_maps
+from acoexp.compare.over_maps.values import expected_cost, median_gap, values_of_maps
 
 
 def test_the_gap_is_that_of_the_trial_in_the_middle_after_its_best_cycle() -> None:
@@ -38,7 +38,7 @@ def test_the_cost_counts_the_steps_of_trials_that_never_came_close() -> None:
 def test_values_stand_map_by_map_in_rows() -> None:
     samples = [sample([[length]], label, name) for name, *lengths in (("a", 10.0, 11.0), ("b", 12.0, LOST))
                for label, length in zip("xy", lengths, strict=True)]  # fmt: skip
-    values = values_of_maps(by_map(samples))
+    values = values_of_maps([samples[:2], samples[2:]])
     assert (values.maps, values.configurations) == (["a", "b"], ["x", "y"])
     assert values.gaps.tolist() == [[0.0, 0.1], [0.2, math.inf]]
     assert [(row["map"], row["cell"]) for row in values.rows()] == [("a", "x"), ("a", "y"), ("b", "x"), ("b", "y")]

@@ -55,6 +55,11 @@ class Paper(Report):
             raise SettingsError(
                 f"{', '.join(context.own_parts)}: expected none with report=paper, which sets the parts"
             )
+        if context.settings.scalars.patience is not None:
+            raise SettingsError(
+                f"patience: expected none with report=paper, whose trials run all of their cycles; got "
+                f"{context.settings.scalars.patience}"
+            )
         if context.grid.digest != load_map("fig13").digest:
             raise SettingsError(
                 "map: expected none with report=paper; your own go into report.maps=['fig13=path']"
