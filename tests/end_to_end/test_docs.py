@@ -12,52 +12,18 @@ import urllib.request
 from pathlib import Path
 
 import pytest
-from pages import CHROMIUM, browser, show  # noqa: F401
+from documented import BLOCK, OTHERS, ROOT, run_blocks
 
 from acoexp.colony import pheromone
 from acoexp.colony.scalars import ColonySettings
 from acoexp.colony.state import Colony, Trails
 from acoexp.parameters import fields_of
 
-ROOT = Path(__file__).parents[2]
-# docs/engines.md needs clusters and databases: tests/end_to_end/engines/test_page.py runs it
-PAGES = [ROOT / "README.md", *sorted({*(ROOT / "docs").glob("*.md")} - {ROOT / "docs" / "engines.md"})]
-BLOCK = re.compile(r"^```(bash|python)\n(.*?)^```$", re.M | re.S)
-
-# what needs a checkout, a server, or a whole test run has a test of its own
-ELSEWHERE = ("pytest", "mlflow ui", "tests/benchmarks/")
-
-
-def commands(page: Path) -> list[tuple[str, str]]:
-    """Return a page's runnable blocks as (language, text), without the steps that install the package."""
-    blocks = [
-        (language, re.sub(r"pip install .+? && ", "", text)) for language, text in BLOCK.findall(page.read_text())
-    ]
-    return [(language, text) for language, text in blocks if not any(word in text for word in ELSEWHERE)]
-
-
-@pytest.fixture
-def as_a_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with a checkout's tests, and a shell in which ``python`` and ``acoexp`` are this environment's."""
-    (tmp_path / "tests").symlink_to(ROOT / "tests")
-    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}:/usr/bin:/bin")
-    return tmp_path
-
 
 @pytest.mark.slow_without_jit
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_every_block_runs_and_the_pages_that_it_writes_open(
-    page: Path, as_a_reader: Path, request: pytest.FixtureRequest
-) -> None:
-    for language, text in commands(page):
-        command = ["bash", "-euo", "pipefail", "-c", text] if language == "bash" else [sys.executable, "-c", text]
-        done = subprocess.run(command, cwd=as_a_reader, capture_output=True, text=True, timeout=300)
-        assert done.returncode == 0, f"{text}\n{done.stderr}"
-    written = [*as_a_reader.glob("outputs/reports/*/index.html")]
-    if written and CHROMIUM:
-        show = request.getfixturevalue("show")
-        for report in written:
-            assert show(report, awaits="body").title()
+@pytest.mark.parametrize("page", OTHERS, ids=lambda page: page.name)
+def test_every_block_runs(page: Path, as_a_reader: Path, request: pytest.FixtureRequest) -> None:
+    run_blocks(page, as_a_reader, request)
 
 
 @pytest.mark.parametrize("page", [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))], ids=lambda p: p.name)
