@@ -86,9 +86,12 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=5)
     arguments = parser.parse_args()
     chosen = ABLATION if arguments.ablation else PRESETS
+    files = sorted([*arguments.folder.glob("*.map"), *arguments.folder.glob("*.yaml")])
+    if not files:
+        parser.error(f"folder: expected one with maps, *.map or *.yaml; got {arguments.folder}")
     headings = "".join(f" {name} | s |" for name in chosen)
     print(f"| map | optimum |{headings}\n|---|---|{'---|---|' * len(chosen)}")
-    for file in sorted([*arguments.folder.glob("*.map"), *arguments.folder.glob("*.yaml")]):
+    for file in files:
         grid = far_pair(file) if file.suffix == ".map" else far_pair_of_robots(file)
         rows, cols = grid.shape
         texts = [

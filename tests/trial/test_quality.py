@@ -65,5 +65,8 @@ def test_a_result_that_nobody_asks_for_it_computes_nothing() -> None:
     grid = Grid(np.eye(5)[::-1] * [0, 1, 1, 1, 0])
     result = solve(grid, "aco", 0, iterations=2)
     assert not {"clearance", "any_angle_optimum"} & vars(grid).keys()
-    assert result.quality.turns >= 1.0
+    assert result.moves is not None
+    assert result.path is not None
+    along = Grid(grid.obstacles).clearance[tuple(result.path.T)]
+    assert result.quality == quality_of(result.moves, along, Grid(grid.obstacles).any_angle_optimum)
     assert {"clearance", "any_angle_optimum"} <= vars(grid).keys()
