@@ -60,7 +60,7 @@ def test_without_cells_it_is_the_command_lines_own_colony(tmp_path: Path) -> Non
     ended = run_acoexp(*SMALL, "algo=pdg", "post=none", "seed=5", cwd=tmp_path)
     assert ended.returncode == 0, ended.stderr
     (colony,) = data_of((tmp_path / "outputs/reports/watch/index.html").read_text(encoding="utf-8"))["colonies"]
-    assert (colony["name"], colony["seed"], colony["cycles"]) == ("custom", 5, 6)
+    assert (colony["name"], colony["seed"], colony["cycles"]) == ("custom", "5", 6)
     assert colony["bests"][-1]["length"] == solve("env2", "pdg", seed=5, iterations=6, post="none").l1
 
 
