@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import nullcontext
+from copy import copy
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
-from omegaconf import DictConfig, OmegaConf
 
+from acoexp.command.dumping import yaml_of
 from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
 from acoexp.command.options.quoting import literal
@@ -26,9 +27,8 @@ from acoexp.command.results.paths import write_path
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
 from acoexp.command.results.table import print_trial
 from acoexp.command.results.watch import Watched, watching
-from acoexp.console.ending import FAILED, print_error, said_of
 from acoexp.console.whole import whole_file, write_whole
-from acoexp.errors import AcoexpError, SettingsError, StoreGoneError, StrategyError
+from acoexp.errors import AcoexpError, SettingsError, StrategyError
 from acoexp.grid.grid import Grid
 from acoexp.parameters import build, fields_of
 from acoexp.registry.load_map import load_map
@@ -36,36 +36,16 @@ from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
 from acoexp.runs.batch import keep_batch, kept_trials
 from acoexp.runs.trial import keep_trial
-from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.open import open_tracker
 from acoexp.tracking.setup import Setup
 from acoexp.tracking.tracker import Tracker
 from acoexp.trial.outcome import Batch
 from acoexp.trial.seeds import Seeds, parse_seeds
 from acoexp.trial.settings import Settings
+from acoexp.trial.solver import Solver
 from acoexp.trial.table import csv_lines
 
 _NOT_SETTINGS = {"algo", "map", "report", "tracking", *fields_of(JobKeys)}
-
-
-def run_job(config: DictConfig) -> float:
-    """Run what a configuration describes; see :meth:`Job.run`.
-
-    Raises:
-        AcoexpError, OSError: for whatever went wrong with a job of a sweep; a single one ends the program, as
-            Hydra would print a line of its own.
-    """
-    handover = Handover()
-    with handover.in_parent_folder():  # files and stores are named from there, also under hydra.job.chdir
-        run = handover.ready or Job(config, handover).run
-        try:
-            return run()
-        except (AcoexpError, OSError) as problem:
-            alone = HydraConfig.get().mode == RunMode.RUN
-            if not (alone or isinstance(problem, StoreGoneError)):  # no further job could be kept then either
-                raise
-            print_error(said_of(problem))
-            raise SystemExit(FAILED) from problem
 
 
 class Job:
@@ -83,13 +63,25 @@ class Job:
         AcoexpError, OmegaConfBaseException: if anything in it is wrong; nothing has been written then.
     """
 
-    def __init__(self, config: DictConfig, handover: Handover) -> None:
-        self.config = _plain(config)
+    def __init__(self, config: dict[str, Any], handover: Handover) -> None:
+        self.config = config
         self._handover = handover
         self.tracker: Tracker = open_tracker(self._tracking())
         self.keys, self.seeds = self._keys()
         self.setup = Setup(self._settings(), self._grid(), self._mapping("map"))
         self.report = self._report()
+        self._solver: Callable[[], Solver] = cache(partial(Solver, self.setup.grid, self.setup.settings))
+
+    def with_seed(self, seed: object) -> Job:
+        """Return the job with another seed; what it takes to run it is made once for both.
+
+        Raises:
+            SettingsError: if it is no seed.
+        """
+        job = copy(self)
+        job.config = {**self.config, "seed": seed}
+        job.keys, job.seeds = job._keys()
+        return job
 
     @property
     def trials(self) -> int:
@@ -117,7 +109,7 @@ class Job:
             self.report.write(self._context(self.report, self.report.place(folder)))
             return math.nan
         address = str(self._mapping("tracking").get("uri", ""))
-        write_whole(folder / "config.yaml", masked(OmegaConf.to_yaml(literal(self.config)), address))
+        write_whole(folder / "config.yaml", yaml_of(literal(self.config), address))
         if self.seeds is None:
             return self._run_trial(folder, alone)
         watched = Watched(folder=folder, where=self.tracker.where, trials=len(self.seeds))
@@ -130,6 +122,7 @@ class Job:
             self._setup_with_command(),
             self.keys.seed,
             self.tracker,
+            solver=self._solver,
             resume=self.keys.resume,
             artifacts=partial(pictured, folder) if alone else carried,
         )
@@ -240,9 +233,3 @@ class Job:
 def _raise_if_failed(batch: Batch, trials: int) -> None:
     if batch.failures:
         raise StrategyError(f"{len(batch.failures)} of {trials} trials failed: {batch.failures[0].reason}")
-
-
-def _plain(config: DictConfig) -> dict[str, Any]:
-    ours = [str(key) for key in config if key != "hydra"]
-    plain = OmegaConf.to_container(OmegaConf.masked_copy(config, ours), resolve=True)
-    return {str(key): value for key, value in plain.items()} if isinstance(plain, dict) else {}

@@ -12,12 +12,12 @@ import hydra
 from hydra.errors import HydraException
 from omegaconf.errors import OmegaConfBaseException
 
-from acoexp.command.job import run_job
 from acoexp.command.messages import in_one_line
 from acoexp.command.options.arguments import normalise
 from acoexp.command.options.flags import PARTS_INFO, complete_past_flags
 from acoexp.command.options.listing import parts_text
 from acoexp.command.options.registering import register_options
+from acoexp.command.task import run_job
 from acoexp.console.ending import ends_cleanly
 from acoexp.errors import AcoexpError
 from acoexp.registry.folders import conf_dir

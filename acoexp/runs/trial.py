@@ -17,6 +17,7 @@ def keep_trial(
     seed: int,
     tracker: Tracker,
     *,
+    solver: Callable[[], Solver] | None = None,
     resume: bool = True,
     artifacts: Callable[[Result], Artifacts] = lambda result: {},
 ) -> Trial:
@@ -26,6 +27,7 @@ def keep_trial(
         setup: What it is a trial of.
         seed: Its seed.
         tracker: Where it is kept.
+        solver: Returns the solver for the setup, where one is kept from trial to trial; else one is made.
         resume: Whether the same trial, if it is there, stays; otherwise this one takes its place.
         artifacts: Returns what its run carries.
 
@@ -34,9 +36,9 @@ def keep_trial(
         TrackingError: if it cannot be kept.
     """
     try:
-        solver = Solver(setup.grid, setup.settings)
+        made = Solver(setup.grid, setup.settings) if solver is None else solver()
         began = time.perf_counter()
-        result = solver.solve(seed)
+        result = made.solve(seed)
         seconds = time.perf_counter() - began
     except StrategyError as problem:
         tracker.log_failure(setup, seed, str(problem))

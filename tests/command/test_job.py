@@ -16,12 +16,12 @@ from running import listing
 
 from acoexp import Grid, solve, solve_many
 from acoexp.command.handover import Handover
-from acoexp.command.job import Job, run_job
-from acoexp.errors import SettingsError, StoreGoneError, StrategyError
+from acoexp.command.job import Job
+from acoexp.command.task import plain
+from acoexp.errors import SettingsError, StrategyError
 from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
 from acoexp.report.report import Report
-from acoexp.tracking.tracker import NoTracker
 from acoexp.trial.seeds import parse_seeds
 from acoexp.trial.solver import Solver
 
@@ -41,7 +41,7 @@ TRAP = Grid(
 @pytest.fixture
 def made(composed: Composed, handover: Handover) -> Callable[..., Job]:
     """Return what makes a job from overrides."""
-    return lambda *overrides, **options: Job(composed(*overrides, **options), handover)
+    return lambda *overrides, **options: Job(plain(composed(*overrides, **options)), handover)
 
 
 # --- what it is
@@ -212,38 +212,3 @@ def test_a_report_works_on_what_the_command_line_says_and_is_no_number(
     out, _ = capsys.readouterr()
     assert out.startswith("report: ")
     assert out.endswith(f"{folder}\n")
-
-
-# --- as Hydra calls it
-
-
-def test_a_job_that_was_checked_in_this_process_is_not_made_again(composed: Composed, handover: Handover) -> None:
-    handover.ready = lambda: 7.0
-    assert run_job(composed("rho=2.0")) == 7.0
-
-
-def test_a_job_that_was_not_is_checked_now(composed: Composed, handover: Handover) -> None:
-    with pytest.raises(SettingsError, match=r"^rho: expected"):
-        run_job(composed("rho=2.0"))
-
-
-def test_a_single_job_that_fails_ends_the_program_with_one_line(
-    composed: Composed, handover: Handover, capsys: pytest.CaptureFixture[str]
-) -> None:
-    with pytest.raises(SystemExit, match="1") as ended:
-        run_job(composed("algo=mmas", "tracking=none", "rho=0"))
-    assert isinstance(ended.value.__cause__, SettingsError)
-    assert capsys.readouterr().err == f"acoexp: error: {ended.value.__cause__}\n"
-
-
-def test_a_store_that_is_gone_ends_the_whole_sweep(
-    composed: Composed, handover: Handover, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    class Gone(NoTracker):
-        def log(self, *_: Any, **__: Any) -> None:
-            raise StoreGoneError("tracking.uri: it is away")
-
-    monkeypatch.setattr("acoexp.command.job.open_tracker", lambda config: Gone())
-    with pytest.raises(SystemExit, match="1"):
-        run_job(composed(*QUICK, mode=RunMode.MULTIRUN))
-    assert capsys.readouterr().err == "acoexp: error: tracking.uri: it is away\n"

@@ -19,14 +19,18 @@ from acoexp.command.handover import Handover
 from acoexp.command.job import Job
 from acoexp.command.messages import in_one_line
 from acoexp.command.results.watch import Watch, Watched
-from acoexp.command.sweep.plan import Plan, as_written, fix_folder
+from acoexp.command.sweep.plan import Plan, fix_folder
 from acoexp.command.sweep.secrets import without_secrets
+from acoexp.command.sweep.told import as_written
+from acoexp.command.task import plain
 from acoexp.console.ending import FAILED, print_error
 from acoexp.console.whole import write_whole
 from acoexp.errors import AcoexpError
 
 OWN_SWEEPERS = ("hydra_plugins.acoexp.sweeper.AcoexpSweeper", "hydra_plugins.acoexp.tuner.OptunaSweeper")
 """They check and watch their jobs themselves."""
+OWN_LAUNCHER = "hydra_plugins.acoexp.launcher.AcoexpLauncher"
+"""It writes none."""
 
 
 class Session(Callback):
@@ -42,8 +46,8 @@ class Session(Callback):
             _or_exit(lambda: _begin_foreign_sweep(config))
 
     def on_job_start(self, config: DictConfig, **_: Any) -> None:
-        """Mask the passwords of addresses in what Hydra has just written of a job's configuration."""
-        if config.hydra.output_subdir is not None:
+        """Mask the passwords of addresses in what another launcher has just written of a job's configuration."""
+        if config.hydra.output_subdir is not None and config.hydra.launcher._target_ != OWN_LAUNCHER:
             folder = Path(config.hydra.runtime.output_dir, config.hydra.output_subdir)
             for file in folder.glob("*.yaml"):
                 write_whole(file, without_secrets(file.read_text(encoding="utf-8"), config))
@@ -63,7 +67,7 @@ def _or_exit(action: Callable[[], None]) -> None:
 
 def _begin_run(config: DictConfig) -> None:
     handover = Handover()
-    job = Job(config, handover)
+    job = Job(plain(config), handover)
     job.tracker.prepare()
     handover.ready = job.run
 

@@ -3,32 +3,36 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fcntl import LOCK_EX, LOCK_NB, flock
-from itertools import product
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from hydra.core.config_loader import ConfigLoader
 from hydra.core.override_parser.types import Override
-from hydra.errors import HydraException
-from hydra.types import RunMode
-from omegaconf import DictConfig, ListConfig, OmegaConf
+from omegaconf import DictConfig
 
 from acoexp.command.handover import Handover
 from acoexp.command.job import Job
 from acoexp.command.options.quoting import hydra_text, literal
 from acoexp.command.options.sources import remember_options
 from acoexp.command.results.contents import found_record
+from acoexp.command.sweep.told import (
+    Overrides,
+    as_written,
+    check_seeds,
+    combinations,
+    composed,
+    is_seed,
+    refers_to_seed,
+    values_of,
+)
+from acoexp.command.task import plain
 from acoexp.errors import SettingsError, shown
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import Tracker
-from acoexp.trial.seeds import Seeds, check_seed
-
-Overrides = list[str]
-"""What one job is told, each ``key=value``."""
+from acoexp.trial.seeds import Seeds
 
 
 class Left(NamedTuple):
@@ -72,21 +76,30 @@ class Plan:
         self._overrides = overrides
         self._handover = Handover()
         remember_options(loader)
-        for override in overrides:
-            if override.key_or_group == "seed":
-                _check_seeds(override)
         of_hydra = as_written(config.hydra.overrides.hydra)
-        # seeds change nothing that is checked here, so a configuration is composed once for all of them
-        others = [override for override in overrides if override.key_or_group != "seed"]
-        self.jobs = {
-            tuple(combination): Job(_composed(loader, [*combination, *of_hydra]), self._handover)
-            for combination in (combinations(others) if told is None else told)
-        }
+        seeds = [override for override in overrides if override.key_or_group == "seed"]
+        # a configuration is composed once for all of them
+        others = [override for override in overrides if override not in seeds]
+        for override in seeds:
+            check_seeds(override)
+        self._seeds = [text for override in seeds for text in values_of(override)] if told is None else []
+        self.jobs = dict[tuple[str, ...], Job]()
+        for combination in combinations(others) if told is None else told:
+            self._add(combination, composed(loader, [*combination, *of_hydra]))
         self.trackers = {job.tracker.where: job.tracker for job in self.jobs.values()}
         self.where = ", ".join(self.trackers)
         self.has_reports = any(job.report is not None for job in self.jobs.values())
         if self.has_reports and told is None:
             self._check_report_folders()
+
+    def _add(self, told: Overrides, config: DictConfig) -> None:
+        """Check a configuration; with each seed of the sweep where something else in it depends on that."""
+        if not (self._seeds and refers_to_seed(config)):
+            self.jobs[tuple(told)] = Job(plain(config), self._handover)
+            return
+        for seed in self._seeds:
+            config.seed = int(seed)
+            self.jobs[*told, f"seed={seed}"] = Job(plain(config), self._handover)
 
     def is_kept(self) -> bool:
         """Tell whether a quick look shows that every trial is in its store, which then need not be made ready."""
@@ -147,8 +160,10 @@ class Plan:
     def _each(self) -> Iterator[tuple[Overrides, Job, int | Seeds]]:
         """Yield what each job of the sweep is told, its checked configuration, and its seed or seeds."""
         for overrides in combinations(self._overrides):
-            job = self.jobs[tuple(text for text in overrides if not _is_seed(text))]
-            seed = next((int(text.partition("=")[2]) for text in overrides if _is_seed(text)), job.keys.seed)
+            seeds = [text for text in overrides if is_seed(text)]
+            others = (*(text for text in overrides if not is_seed(text)),)
+            job = self.jobs.get(others) or self.jobs[*others, *seeds]
+            seed = int(seeds[0].partition("=")[2]) if seeds else job.keys.seed
             yield overrides, job, seed if job.seeds is None else job.seeds
 
     def _in_store(self) -> dict[tuple[str | None, str, str], Found]:
@@ -167,37 +182,6 @@ class Plan:
                 setup = job.setup
                 wanted.setdefault((job.tracker, setup.configuration_id), set()).add(setup.identity(seeds))
         return wanted
-
-
-def _composed(loader: ConfigLoader, overrides: Overrides) -> DictConfig:
-    """Return the configuration of a job; what its folder's name refers to must be in it.
-
-    Raises:
-        OmegaConfBaseException, HydraException: if something is not.
-    """
-    config = loader.load_configuration("config", overrides, run_mode=RunMode.RUN)
-    if not OmegaConf.is_missing(config.hydra.sweep, "subdir"):
-        numbered = OmegaConf.merge(config, {"hydra": {"job": {"num": 0, "id": "0"}}})
-        _ = numbered.hydra.sweep.subdir
-    return config
-
-
-def as_written(overrides: ListConfig) -> list[str]:
-    """Return overrides with what they refer to, such as ``${hydra.job.num}``, which only a job knows."""
-    return cast(list[str], OmegaConf.to_container(overrides, resolve=False))
-
-
-def combinations(overrides: Iterable[Override]) -> list[Overrides]:
-    """Return what each job of a sweep is told: one of the values of each key, the last key's changing fastest.
-
-    Raises:
-        HydraException: for a sweep that only an optimiser can choose from, such as ``interval(0, 1)``.
-    """
-    values: dict[str, list[str]] = {}
-    for override in overrides:
-        key = override.get_key_element()
-        values[key] = [f"{key}={value}" for value in _values(override)]
-    return [list(combination) for combination in product(*values.values())]
 
 
 @contextmanager
@@ -234,23 +218,3 @@ def fix_folder(config: DictConfig) -> Path:
     config.hydra.sweep.dir = literal(str(folder))
     config.hydra.overrides.hydra.append(f"hydra.sweep.dir={hydra_text(str(folder))}")
     return folder
-
-
-def _values(override: Override) -> list[str]:
-    if not override.is_sweep_override():
-        return [override.get_value_element_as_str()]
-    if override.is_discrete_sweep():
-        return list(override.sweep_string_iterator())
-    raise HydraException(
-        f"{override.input_line}: expected values or a range, such as 0.1,0.2 or range(0,9); only another "
-        "hydra/sweeper, such as optuna, chooses from an interval"
-    )
-
-
-def _is_seed(text: str) -> bool:
-    return text.lstrip("+").partition("=")[0] == "seed"
-
-
-def _check_seeds(override: Override) -> None:
-    for text in _values(override):
-        check_seed(int(text) if re.fullmatch("0|[1-9][0-9]*", text) else text)

@@ -11,6 +11,11 @@ _ADDRESSES = ("tracking.uri", "hydra.sweeper.storage")
 
 def without_secrets(text: str, config: DictConfig) -> str:
     """Return a text that repeats a configuration, the secrets of its addresses masked wherever they stand."""
-    for key in _ADDRESSES:
-        text = masked(text, str(OmegaConf.select(config, key, default=None) or ""))
+    for address in addresses_of(config):
+        text = masked(text, address)
     return text
+
+
+def addresses_of(config: DictConfig) -> list[str]:
+    """Return the addresses in a configuration, which may have passwords in them."""
+    return [str(OmegaConf.select(config, key, default=None) or "") for key in _ADDRESSES]

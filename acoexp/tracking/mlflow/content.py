@@ -108,9 +108,14 @@ def versions(packages: Mapping[str, str]) -> dict[str, str]:
     Args:
         packages: The package of the part in each group, with its version.
     """
-    tags = {"acoexp.version": version("acoexp"), **{f"{group}.package": name for group, name in packages.items()}}
+    tags = {"acoexp.version": _own_version(), **{f"{group}.package": name for group, name in packages.items()}}
     commit = _git_commit()
     return {**tags, "mlflow.source.git.commit": commit} if commit else tags
+
+
+@cache
+def _own_version() -> str:
+    return version("acoexp")
 
 
 @cache

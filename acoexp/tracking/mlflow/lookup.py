@@ -1,4 +1,4 @@
-"""Finished runs of a local database, read from its tables: MLflow takes seconds to import, and two milliseconds to
+"""Runs of a local database, read from its tables: MLflow takes seconds to import, and two milliseconds to
 load a run.
 
 As in ``moving``, this is SQL over MLflow's own tables, and a test holds it against what MLflow itself finds.
@@ -16,11 +16,11 @@ from typing import NamedTuple
 from acoexp.tracking.mlflow.database import reading
 
 _RUNS = """
-SELECT runs.run_uuid, runs.start_time
+SELECT runs.run_uuid, runs.start_time, runs.status
 FROM tags JOIN runs USING (run_uuid) JOIN experiments USING (experiment_id)
 WHERE tags.key = ? AND tags.value IN (SELECT value FROM json_each(?))
   AND experiments.name = ? AND experiments.lifecycle_stage = 'active'
-  AND runs.lifecycle_stage = 'active' AND runs.status = 'FINISHED'
+  AND runs.lifecycle_stage = 'active'
 ORDER BY runs.start_time
 """
 _TAGS = "SELECT run_uuid, key, value FROM tags WHERE run_uuid IN (SELECT value FROM json_each(?))"
@@ -34,7 +34,7 @@ class LocalInfo(NamedTuple):
 
     run_id: str
     start_time: int
-    status: str = "FINISHED"
+    status: str
 
 
 class LocalData(NamedTuple):
@@ -45,21 +45,21 @@ class LocalData(NamedTuple):
 
 
 class LocalRun(NamedTuple):
-    """A finished run, in the shape of MLflow's own."""
+    """A run, in the shape of MLflow's own."""
 
     info: LocalInfo
     data: LocalData
 
 
-def finished_runs(file: Path, experiment: str, tag: str, values: Collection[str]) -> list[LocalRun]:
-    """Return the finished runs of an experiment whose tag has one of some values, the oldest first.
+def runs_with(file: Path, experiment: str, tag: str, values: Collection[str]) -> list[LocalRun]:
+    """Return the runs of an experiment whose tag has one of some values, the oldest first.
 
     Raises:
         sqlite3.Error: if the database is not there, is none of MLflow's, or is locked.
     """
     with closing(reading(file)) as database:
         found = database.execute(_RUNS, (tag, json.dumps([*values]), experiment)).fetchall()
-        runs = {run_id: LocalRun(LocalInfo(run_id, start or 0), LocalData({}, {})) for run_id, start in found}
+        runs = {row[0]: LocalRun(LocalInfo(row[0], row[1] or 0, row[2]), LocalData({}, {})) for row in found}
         ids = json.dumps([*runs])
         for run_id, key, value in database.execute(_TAGS, (ids,)):
             runs[run_id].data.tags[key] = value

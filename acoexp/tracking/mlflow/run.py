@@ -12,13 +12,14 @@ from pathlib import Path
 from secrets import token_hex
 from typing import TYPE_CHECKING
 
-from acoexp.tracking.mlflow.lookup import LocalRun
+from acoexp.tracking.mlflow.lookup import LocalRun, runs_with
 from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.owner import this_process
 from acoexp.tracking.mlflow.store import Store
 
 if TYPE_CHECKING:
     from mlflow.entities import Metric, Run
+    from mlflow.store.artifact.artifact_repo import ArtifactRepository
 
 LONGEST_PARAM = 500
 """Characters of a parameter that every MLflow store keeps; a longer one goes to an artifact."""
@@ -78,6 +79,7 @@ class RunWriter:
         self._token = token_hex(8)
         self._finished = False
         self._run_id: str | None = None
+        self._artifact_uri = ""
 
     def begin(self, metrics: Sequence[Metric] = ()) -> None:
         """Create the run with its parameters, and with metrics where there are any yet."""
@@ -99,11 +101,12 @@ class RunWriter:
 
     def log_text(self, text: str, name: str) -> None:
         """Keep a text as an artifact."""
-        self.do(lambda run_id: self._store.client.log_text(run_id, text, name))
+        file = Path(name)
+        self.log_files({file.name: text.encode()}, None if file.parent == Path() else str(file.parent))
 
     def log_file(self, file: Path, folder: str | None) -> None:
         """Keep a file as an artifact in a folder."""
-        self.do(lambda run_id: self._store.client.log_artifact(run_id, str(file), folder))
+        self.do(lambda _: self._artifacts().log_artifact(str(file), folder))  # type: ignore[no-untyped-call]
 
     def log_files(self, files: Mapping[str, bytes], folder: str | None = None) -> None:
         """Keep files as artifacts in a folder, given what is in each by its name."""
@@ -112,7 +115,7 @@ class RunWriter:
         with tempfile.TemporaryDirectory() as draft:
             for name, content in files.items():
                 (Path(draft) / name).write_bytes(content)
-            self.do(lambda run_id: self._store.client.log_artifacts(run_id, draft, folder))
+            self.do(lambda _: self._artifacts().log_artifacts(draft, folder))  # type: ignore[no-untyped-call]
 
     def heartbeat(self) -> None:
         """Note that the process that writes this run is at work."""
@@ -141,14 +144,20 @@ class RunWriter:
             if self._run_id is None:
                 tags = {**self._tags, OWNER: this_process(), WRITER: self._token, ALIVE: _now()}
                 run = self._store.client.create_run(self._store.experiment_id, self._started, tags, self._name)
-                self._run_id = run.info.run_id
+                self._run_id, self._artifact_uri = run.info.run_id, run.info.artifact_uri
             action(self._run_id)
 
         self._store.with_retries(with_run, "does not take a trial")
 
+    def _artifacts(self) -> ArtifactRepository:
+        """Return where the run's artifacts go; MLflow's client would ask the store for the run first."""
+        from mlflow.store.artifact.artifact_repository_registry import get_artifact_repository
+
+        return get_artifact_repository(self._artifact_uri, tracking_uri=self._store.uri)
+
     def _keep_only_this(self, run_id: str) -> None:
         """See to it that this is the only finished run of its identity, and the only one of this writer."""
-        same = self._store.search(f"tags.{IDENTITY} = '{self._tags[IDENTITY]}'")
+        same = self._of_same_identity()
         keep_one(self._store, [run for run in same if run.info.run_id == run_id or is_whole(run)])
         for run in same:
             mine = run.data.tags.get(WRITER) == self._token
@@ -157,6 +166,12 @@ class RunWriter:
             if run.info.run_id == run_id and REASON in run.data.tags:  # it had been taken for left behind
                 with unless_gone():
                     self._store.client.delete_tag(run_id, REASON)
+
+    def _of_same_identity(self) -> Sequence[Run | LocalRun]:
+        identity, file = self._tags[IDENTITY], self._store.file
+        if file is None:
+            return self._store.search(f"tags.{IDENTITY} = '{identity}'")
+        return runs_with(file, self._store.experiment, IDENTITY, [identity])
 
 
 def is_whole(run: Run | LocalRun) -> bool:

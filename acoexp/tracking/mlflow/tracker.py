@@ -17,7 +17,7 @@ from acoexp.errors import SettingsError
 from acoexp.grid.grid import Grid
 from acoexp.tracking.mlflow.content import batch_metrics, description, trial_metrics, versions
 from acoexp.tracking.mlflow.left_behind import close_left_behind
-from acoexp.tracking.mlflow.lookup import LocalRun, finished_runs
+from acoexp.tracking.mlflow.lookup import LocalRun, runs_with
 from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.moving import is_away
 from acoexp.tracking.mlflow.run import (
@@ -86,7 +86,7 @@ class MlflowTracker:
         try:
             if file is None or is_away(file, self.store.experiment):
                 return False
-            runs = finished_runs(file, self.store.experiment, IDENTITY, identities)
+            runs = runs_with(file, self.store.experiment, IDENTITY, identities)
         except sqlite3.Error:  # whoever makes the store ready tells why
             return False
         return {run.data.tags[IDENTITY] for run in runs if is_whole(run)} >= {*identities}
@@ -147,7 +147,7 @@ class MlflowTracker:
         file = self.store.file
         if file is not None:
             return self.store.with_retries(
-                lambda: finished_runs(file, self.store.experiment, IDENTITY, identities), "cannot be searched"
+                lambda: runs_with(file, self.store.experiment, IDENTITY, identities), "cannot be searched"
             )
         if len(identities) > _FEW:
             as_quick = _LOOK_UP * len(identities)

@@ -9,13 +9,12 @@ from typing import Any
 import pytest
 from hydra.core.global_hydra import GlobalHydra
 from hydra.core.override_parser.overrides_parser import OverridesParser
-from hydra.errors import HydraException
 from hydra.types import RunMode
-from omegaconf import DictConfig, OmegaConf
+from omegaconf import DictConfig
 from omegaconf.errors import InterpolationKeyError
 
 from acoexp.command.handover import Handover
-from acoexp.command.sweep.plan import Plan, as_written, combinations
+from acoexp.command.sweep.plan import Plan
 from acoexp.errors import SettingsError
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import NoTracker
@@ -28,52 +27,6 @@ QUICK = ("tracking=none", "iterations=3", "ants=2")
 def parsed(*overrides: str) -> list[Any]:
     """Return overrides as Hydra reads them."""
     return OverridesParser.create().parse_overrides(list(overrides))
-
-
-# --- what each job is told
-
-
-def test_each_job_is_told_one_value_of_each_key_the_last_keys_changing_fastest() -> None:
-    assert combinations(parsed("algo=aco,pd", "rho=0.5", "seed=0,1")) == [
-        ["algo=aco", "rho=0.5", "seed=0"],
-        ["algo=aco", "rho=0.5", "seed=1"],
-        ["algo=pd", "rho=0.5", "seed=0"],
-        ["algo=pd", "rho=0.5", "seed=1"],
-    ]
-
-
-@pytest.mark.parametrize(
-    ("written", "values"),
-    [
-        ("rho=choice(0.1,0.2)", ["rho=0.1", "rho=0.2"]),
-        ("ants=range(1,4)", ["ants=1", "ants=2", "ants=3"]),
-        ("diffusion.gamma=choice(0.5)", ["diffusion.gamma=0.5"]),
-        ("map.path='a,b'", ["map.path='a,b'"]),
-        ("+study=slow,wide", ["+study=slow", "+study=wide"]),
-    ],
-)
-def test_values_are_written_as_hydra_reads_them_again(written: str, values: list[str]) -> None:
-    assert [told for (told,) in combinations(parsed(written))] == values
-
-
-def test_without_anything_to_choose_there_is_one_job() -> None:
-    assert combinations([]) == [[]]
-    assert combinations(parsed("rho=0.5")) == [["rho=0.5"]]
-
-
-def test_of_a_key_that_is_said_twice_the_last_word_counts() -> None:
-    assert combinations(parsed("rho=0.1,0.2", "ants=3", "rho=0.5")) == [["rho=0.5", "ants=3"]]
-
-
-@pytest.mark.parametrize("interval", ["rho=interval(0.1,0.9)", "rho=tag(fast,interval(0,1))"])
-def test_an_interval_is_only_for_an_optimiser(interval: str) -> None:
-    with pytest.raises(HydraException, match=r"^rho=.*: expected values or a range, .*another hydra/sweeper"):
-        combinations(parsed(interval))
-
-
-def test_what_only_a_job_knows_stays_as_it_was_written() -> None:
-    config = OmegaConf.create({"texts": ["hydra.sweep.subdir=${hydra.job.num}", "rho=0.5"]})
-    assert as_written(config.texts) == ["hydra.sweep.subdir=${hydra.job.num}", "rho=0.5"]
 
 
 # --- the plan
@@ -118,6 +71,13 @@ def test_a_configuration_is_checked_once_whatever_its_seeds(planned: Callable[..
     assert [job.config["algo"] for job in plan.jobs.values()] == ["aco", "pd"]
     assert plan.has_reports is False
     assert plan.where == "not tracked"
+
+
+def test_where_something_else_is_the_seeds_each_is_checked_for_itself(planned: Callable[..., Plan]) -> None:
+    plan = planned("map=random", "map.seed=${seed}", "seed=3,4", *QUICK)
+    assert [job.setup.map["seed"] for job in plan.jobs.values()] == [3, 4]
+    assert len({job.setup.configuration_id for job in plan.jobs.values()}) == 2
+    assert [told[2] for told in plan.leave_out_known().missing] == ["seed=3", "seed=4"]
 
 
 @pytest.mark.parametrize(

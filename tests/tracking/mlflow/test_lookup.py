@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from mlflow.entities import Run
 
-from acoexp.tracking.mlflow.lookup import LocalRun, finished_runs
+from acoexp.tracking.mlflow.lookup import LocalRun, runs_with
 from acoexp.tracking.mlflow.store import EXPERIMENT, Store
 
 
@@ -27,7 +27,7 @@ def kept(store: Store, identity: str, *, status: str = "FINISHED", **metrics: fl
 
 
 def looked_up(store: Store, *identities: str) -> list[LocalRun]:
-    return finished_runs(store.file or Path(), EXPERIMENT, "identity", identities)
+    return runs_with(store.file or Path(), EXPERIMENT, "identity", identities)
 
 
 def as_said(run: Run | LocalRun) -> tuple[object, ...]:
@@ -49,13 +49,12 @@ def quoted(text: str) -> str:
     return f"'{text}'" if "'" not in text else f'"{text}"'
 
 
-def test_only_what_is_finished_and_not_deleted_is_found(store: Store, identity: str) -> None:
-    for status in ("FAILED", "KILLED", "RUNNING"):
-        kept(store, identity, status=status)
+def test_what_is_not_deleted_is_found_with_what_became_of_it(store: Store, identity: str) -> None:
     store.client.delete_run(kept(store, identity))
     assert looked_up(store, identity) == []
-    run_id = kept(store, identity)
-    assert [run.info.run_id for run in looked_up(store, identity)] == [run_id]
+    kinds = ("FAILED", "KILLED", "RUNNING", "FINISHED")
+    runs = {kept(store, identity, status=status): status for status in kinds}
+    assert {run.info.run_id: run.info.status for run in looked_up(store, identity)} == runs
 
 
 def test_what_a_person_wrote_in_a_numbers_place_is_none(store: Store, identity: str) -> None:
@@ -88,7 +87,7 @@ def test_thousands_are_looked_up_at_once(store: Store, identity: str) -> None:
 
 def test_a_database_that_is_not_there_is_not_made(tmp_path: Path) -> None:
     with pytest.raises(sqlite3.OperationalError):
-        finished_runs(tmp_path / "mlflow.db", EXPERIMENT, "identity", ["x"])
+        runs_with(tmp_path / "mlflow.db", EXPERIMENT, "identity", ["x"])
     assert [*tmp_path.iterdir()] == []
 
 
@@ -96,4 +95,4 @@ def test_a_database_of_another_program_is_refused(tmp_path: Path) -> None:
     with closing(sqlite3.connect(tmp_path / "other.db")) as database:
         database.execute("CREATE TABLE tags (key, value)")
     with pytest.raises(sqlite3.OperationalError, match="no such"):
-        finished_runs(tmp_path / "other.db", EXPERIMENT, "identity", ["x"])
+        runs_with(tmp_path / "other.db", EXPERIMENT, "identity", ["x"])
