@@ -94,12 +94,24 @@ def cut_circles(colony: Any, own: Any, cells: Any, count: Any) -> Any:
 
 @compiled
 def _last_neighbour(colony: Any, own: Any, cell: Any) -> Any:
-    """Return the latest place on the path that an allowed move from a cell leads to, -1 if there is none."""
-    allowed, last = colony.allowed[np.uintp(cell)], np.int32(-1)
-    for direction in range(8):
-        place = own.place[np.uintp(cell + colony.offsets[direction])]
-        last = max(last, place if allowed >> direction & 1 else np.int32(-1))
-    return last
+    """Return the latest place on the path that an allowed move from a cell leads to, -1 if there is none.
+
+    A straight move to a cell that is on a path is always allowed.
+    """
+    width, place = colony.width, own.place
+    diagonal = max(
+        max(_beyond(colony, own, cell, 1, 1 - width), _beyond(colony, own, cell, 3, -1 - width)),
+        max(_beyond(colony, own, cell, 5, width - 1), _beyond(colony, own, cell, 7, width + 1)),
+    )
+    beside = max(place[np.uintp(cell + 1)], place[np.uintp(cell - 1)])
+    return max(diagonal, max(beside, max(place[np.uintp(cell - width)], place[np.uintp(cell + width)])))
+
+
+@compiled
+def _beyond(colony: Any, own: Any, cell: Any, direction: Any, offset: Any) -> Any:
+    """Return the place on the path of the cell that a move leads to, -1 if it is not allowed, or not on it."""
+    place = own.place[np.uintp(cell + offset)]
+    return place if colony.allowed[np.uintp(cell)] >> direction & 1 else np.int32(-1)
 
 
 @compiled
