@@ -2,7 +2,7 @@
 
 Three rules, in this order, until nothing changes. Each only leaves cells out and joins what remains by an
 allowed move that is shorter, so a path never gets longer. Nothing changes after the first time: where circles are
-cut no cell has a neighbour on the path beyond the next, and a crossing or a tooth has two a straight move apart.
+cut no cell has a neighbour on the path beyond the next, which a crossing or a tooth would have.
 
 The equations are the paper's as corrected: on a lattice two segments cross strictly inside (Eqs 12-15) only as
 the two diagonals of one 2 x 2 block, and the angle of Eq. 17 is worked out from directions, not slopes.
@@ -115,8 +115,24 @@ def _beyond(colony: Any, own: Any, cell: Any, direction: Any, offset: Any) -> An
 
 
 @compiled
+def _has_detour(colony: Any, own: Any, cells: Any, count: Any) -> Any:
+    """Tell whether any cell has a neighbour on the path beyond the next: else no rule finds anything to cut."""
+    for i in range(count):
+        own.place[np.uintp(cells[i])] = i
+    found, i = False, 0
+    while i < count and not found:
+        found = _last_neighbour(colony, own, cells[i]) > i + 1
+        i += 1
+    for i in range(count):
+        own.place[np.uintp(cells[i])] = -1
+    return found
+
+
+@compiled
 def optimise(colony: Any, own: Any, cells: Any, count: Any) -> Any:
-    """Apply the three rules, in the paper's order: once, as nothing changes any more."""
+    """Apply the three rules, in the paper's order: once, as then nothing changes any more."""
+    if not _has_detour(colony, own, cells, count):
+        return count
     count = remove_crossings(colony, own, cells, count)
     count = cut_saw_teeth(colony, own, cells, count)
     return cut_circles(colony, own, cells, count)
