@@ -20,7 +20,6 @@ from acoexp.colony.compiled import compiled
 from acoexp.colony.problem import Problem
 from acoexp.strategies.part import Post
 
-
 NO_BLOCK = 0
 """A corner of the map's border, which no move crosses."""
 
@@ -50,7 +49,7 @@ def remove_crossings(colony: Any, own: Any, cells: Any, count: Any) -> Any:
 
 @compiled
 def _block_of_diagonal(colony: Any, cell: Any, target: Any) -> Any:
-    """Return the top left cell of the 2 x 2 block that a diagonal move crosses, ``NO_BLOCK`` for a straight move."""
+    """Return the top left cell of the 2 x 2 block that a diagonal move crosses, ``NO_BLOCK`` for a straight one."""
     upper = min(cell, target)
     distance = max(cell, target) - upper
     across = distance == colony.width - 1
