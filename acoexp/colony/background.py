@@ -96,7 +96,7 @@ def clamp_changed(colony: Any, lowest: Any, highest: Any, scale: Any) -> None:
             forget_change(colony, place)
             continue
         place += 1
-        if growth != 1.0 or _would_change(colony, first, past, lowest, highest):
+        if scale != former or _would_change(colony, first, past, lowest, highest):
             for edge in range(first, past):
                 if colony.stored[edge] != colony.background[0]:
                     _clamp(colony, edge, lowest, highest, former, growth, growth_to_alpha)

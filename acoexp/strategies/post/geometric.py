@@ -49,7 +49,7 @@ def remove_crossings(colony: Any, own: Any, cells: Any, count: Any) -> Any:
 
 @compiled
 def _block_of_diagonal(colony: Any, cell: Any, target: Any) -> Any:
-    """Return the top left cell of the 2 x 2 block that a diagonal move crosses, ``NO_BLOCK`` for a straight one."""
+    """Return the top left cell of the 2 x 2 block that a diagonal move crosses, ``NO_BLOCK`` of a straight one."""
     upper = min(cell, target)
     distance = max(cell, target) - upper
     across = distance == colony.width - 1
