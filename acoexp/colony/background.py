@@ -90,16 +90,36 @@ def clamp_changed(colony: Any, lowest: Any, highest: Any, scale: Any) -> None:
     place = 0
     while place < colony.changed_count[0]:
         patch = np.int64(colony.changed[place])
-        differs = False
-        for edge in range(patch * PATCH, past_edge(colony, patch)):
-            if colony.stored[edge] != colony.background[0]:
-                _clamp(colony, edge, lowest, highest, former, growth, growth_to_alpha)
-                differs = True
-        if differs:
-            place += 1
-        else:
-            _store(colony, patch * PATCH, past_edge(colony, patch), colony.background[0], power)
+        first, past = patch * PATCH, past_edge(colony, patch)
+        if not _differs(colony, first, past):
+            _store(colony, first, past, colony.background[0], power)
             forget_change(colony, place)
+            continue
+        place += 1
+        if scale != former or _would_change(colony, first, past, lowest, highest):
+            for edge in range(first, past):
+                if colony.stored[edge] != colony.background[0]:
+                    _clamp(colony, edge, lowest, highest, former, growth, growth_to_alpha)
+
+
+@compiled
+def _differs(colony: Any, first: Any, past: Any) -> Any:
+    """Tell whether what is stored on any of some edges is not the background; without a branch for each."""
+    background, differs = colony.background[0], False
+    for edge in range(np.uintp(first), np.uintp(past)):
+        differs |= colony.stored[edge] != background
+    return differs
+
+
+@compiled
+def _would_change(colony: Any, first: Any, past: Any, lowest: Any, highest: Any) -> Any:
+    """Tell whether any of some edges would be changed, the scale being the same; without a branch for each."""
+    background, scale, found = colony.background[0], colony.scale[0], False
+    for edge in range(np.uintp(first), np.uintp(past)):
+        level, weight = colony.stored[edge] * scale, colony.weight[edge]
+        changes = (level < lowest) | (level > highest) | (weight < SMALLEST_EXACT) | (weight == np.inf)
+        found |= changes & (colony.stored[edge] != background)
+    return found
 
 
 @compiled

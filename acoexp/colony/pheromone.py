@@ -70,6 +70,34 @@ def multiply_here(colony: Any, edge: Any, factor: Any, factor_to_alpha: Any) -> 
 
 
 @compiled
+def multiply_one(colony: Any, cell: Any, direction: Any, factor: Any, to_alpha: Any) -> None:
+    """Multiply the pheromone on one edge from the cell of the ant that is walking, on none if the direction is 8.
+
+    A choice reads all eight weights, and would wait for one that was just written. So all are written, at places
+    that the compiler knows, and it keeps them at hand.
+
+    Args:
+        colony: The colony.
+        cell, direction: The edge; its pheromone is multiplied by ``factor``.
+        factor: At least 0.
+        to_alpha: float64[9, 8]: row d has factor^alpha at d, and 1 elsewhere.
+    """
+    row = np.uintp(direction)
+    if direction < 8:
+        edge = np.uintp(cell * 8 + direction)
+        stored = colony.stored[edge] * factor
+        if stored <= colony.highest_stored and colony.weight[edge] * to_alpha[row, row] >= SMALLEST_EXACT:
+            colony.stored[edge] = stored
+        else:
+            _store(colony, edge, stored)
+            row = np.uintp(8)
+    for other in range(8):
+        colony.weight[np.uintp(cell * 8 + other)] *= to_alpha[row, np.uintp(other)]
+    if direction < 8:
+        _share(colony, cell * 8 + direction, False)
+
+
+@compiled
 def evaporate(colony: Any, rho: Any) -> None:
     """Let the share ``rho`` of all pheromone evaporate."""
     if rho == 1.0:

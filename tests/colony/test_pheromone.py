@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 from samples import colony_on, problem_on, trails_of
 
 from acoexp import Grid
 from acoexp.colony import pheromone
 from acoexp.colony.background import reset
-from acoexp.colony.changes import refresh
+from acoexp.colony.changes import note_change, refresh
 from acoexp.colony.problem import Problem
 from acoexp.colony.state import Colony
 from acoexp.trial.workspace import direction_offsets
@@ -39,6 +40,7 @@ operations = st.one_of(
     st.tuples(st.just("deposit"), edges, amounts),
     st.tuples(st.just("set_level"), edges, amounts),
     st.tuples(st.just("multiply"), edges, st.floats(1.0, 2.0)),
+    st.tuples(st.just("multiply_one"), edges, st.floats(1.0, 2.0)),
     st.tuples(st.just("lay"), st.sampled_from(WALKS), amounts),
     st.tuples(st.just("evaporate"), rates),
     st.tuples(st.just("clamp"), st.floats(1e-3, 0.5), st.floats(0.5, 10.0)),
@@ -64,6 +66,13 @@ def target_of(edge: int) -> int:
     return edge // 8 + int(direction_offsets(PROBLEM.width)[edge % 8])
 
 
+def powers(direction: int, factor: float, alpha: float) -> NDArray[np.float64]:
+    """Return the factor's power in this direction's row and column, and 1 elsewhere."""
+    table = np.ones((9, 8))
+    table[direction, direction] = np.power(factor, alpha)
+    return table
+
+
 def act(colony: Colony, model: dict[int, float], name: str, *arguments: Any) -> None:
     """Do the same to a colony and to the model: a level for each edge."""
     match name, arguments:
@@ -75,6 +84,10 @@ def act(colony: Colony, model: dict[int, float], name: str, *arguments: Any) -> 
             model[edge] = amount
         case "multiply", (edge, factor):
             pheromone.multiply(colony, edge, factor, np.power(factor, colony.alpha))
+            model[edge] *= factor
+        case "multiply_one", (edge, factor):
+            note_change(colony, edge)  # as the ant's walk does
+            pheromone.multiply_one(colony, edge // 8, edge % 8, factor, powers(edge % 8, factor, colony.alpha))
             model[edge] *= factor
         case "lay", (walk, amount):
             pheromone.lay(colony, trails_of(colony, None, walk), 1, amount)
@@ -201,6 +214,14 @@ def test_reset_forgets_everything_to_the_last_bit(
     for array, before in zip(parts, fresh, strict=True):
         assert (array == before).all()
     assert colony.stale_count[0] == colony.changed_count[0] == 0
+
+
+def test_where_no_direction_is_named_nothing_is_multiplied() -> None:
+    colony, _ = some_colony(1.1)
+    before = colony.stored.copy(), colony.weight.copy()
+    pheromone.multiply_one(colony, EDGES[0] // 8, 8, 2.0, powers(0, 2.0, 1.1))
+    assert (colony.stored == before[0]).all()
+    assert (colony.weight == before[1]).all()
 
 
 def test_the_initial_pheromone_may_differ_from_edge_to_edge() -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoexp.colony.compiled import compiled
-from acoexp.colony.pheromone import multiply_here
+from acoexp.colony.pheromone import multiply_one
 from acoexp.colony.problem import Problem
 from acoexp.grid.field import NO_DIRECTION
 from acoexp.grid.moves import SQRT2
@@ -28,7 +28,13 @@ RADIUS = 1.5 * SQRT2
 
 
 class OwnState(NamedTuple):
-    """Attributes: sector uint8[cells], where pheromone diffuses to; growth and its alpha-th power, [2]."""
+    """What happens on each cell.
+
+    Attributes:
+        sector: uint8[cells], where pheromone diffuses to.
+        growth: float64[2], what pheromone on a straight and on a diagonal edge is multiplied by.
+        growth_to_alpha: float64[9, 8], its alpha-th power by sector: in row d at d, and 1 elsewhere.
+    """
 
     sector: NDArray[np.uint8]
     growth: NDArray[np.float64]
@@ -39,9 +45,7 @@ class OwnState(NamedTuple):
 def diffuse(colony: Any, own: Any, ant: Any, cell: Any, came: Any) -> None:
     """Strengthen the edge along the force."""
     sector = own.sector[np.uintp(cell)]
-    if sector != NO_DIRECTION:
-        kind = sector & 1
-        multiply_here(colony, cell * 8 + sector, own.growth[kind], own.growth_to_alpha[kind])
+    multiply_one(colony, cell, sector, own.growth[sector & 1], own.growth_to_alpha)
 
 
 def shares() -> NDArray[np.float64]:
@@ -79,4 +83,6 @@ class Gaussian(Diffusion):
             gain = self.gamma * shares()[sector & 1]
             return Spread(sector, np.full_like(sector, NO_DIRECTION), gain, np.zeros_like(gain))
         growth = 1.0 + self.gamma * shares()
-        return OwnState(sector, growth, growth**problem.settings.alpha)
+        growth_to_alpha = np.ones((9, 8))
+        np.fill_diagonal(growth_to_alpha, np.tile(growth**problem.settings.alpha, 4))
+        return OwnState(sector, growth, growth_to_alpha)

@@ -1,7 +1,8 @@
 """The geometric local optimisation of Liu et al. 2017, Sect. 3.3: crossing, saw tooth, circular.
 
 Three rules, in this order, until nothing changes. Each only leaves cells out and joins what remains by an
-allowed move that is shorter, so a path never gets longer.
+allowed move that is shorter, so a path never gets longer. Nothing changes after the first time: where circles are
+cut no cell has a neighbour on the path beyond the next, which a crossing or a tooth would have.
 
 The equations are the paper's as corrected: on a lattice two segments cross strictly inside (Eqs 12-15) only as
 the two diagonals of one 2 x 2 block, and the angle of Eq. 17 is worked out from directions, not slopes.
@@ -19,6 +20,9 @@ from acoexp.colony.compiled import compiled
 from acoexp.colony.problem import Problem
 from acoexp.strategies.part import Post
 
+NO_BLOCK = 0
+"""A corner of the map's border, which no move crosses."""
+
 
 class OwnState(NamedTuple):
     """Attributes: place int32[cells], room to look up where on the path a cell is; -1 between two uses."""
@@ -30,30 +34,26 @@ class OwnState(NamedTuple):
 def remove_crossings(colony: Any, own: Any, cells: Any, count: Any) -> Any:
     """Lead A-B ... C-D, where AB and CD cross, straight from A to D (Eqs 9-16, Fig. 4)."""
     for i in range(count - 1):
-        block = _block_of_diagonal(colony, cells[i], cells[i + 1])
-        if block >= 0:
-            own.place[block] = i
+        own.place[np.uintp(_block_of_diagonal(colony, cells[i], cells[i + 1]))] = i
+    own.place[NO_BLOCK] = -1
     kept = resume = 0
     for i in range(count):
-        block = _block_of_diagonal(colony, cells[i], cells[i + 1]) if i + 1 < count else -1
+        block = _block_of_diagonal(colony, cells[i], cells[i + 1]) if i + 1 < count else NO_BLOCK
         if i >= resume:
             cells[kept] = cells[i]
             kept += 1
-            if block >= 0 and own.place[block] > i:
-                resume = own.place[block] + 1
-        if block >= 0:
-            own.place[block] = -1
+            resume = own.place[np.uintp(block)] + 1
+        own.place[np.uintp(block)] = -1
     return kept
 
 
 @compiled
 def _block_of_diagonal(colony: Any, cell: Any, target: Any) -> Any:
-    """Return the top left cell of the 2 x 2 block that a diagonal move crosses, -1 for a straight move."""
+    """Return the top left cell of the 2 x 2 block that a diagonal move crosses, ``NO_BLOCK`` of a straight one."""
     upper = min(cell, target)
     distance = max(cell, target) - upper
-    if distance == colony.width + 1:
-        return upper
-    return upper - 1 if distance == colony.width - 1 else -1
+    across = distance == colony.width - 1
+    return upper - across if across or distance == colony.width + 1 else NO_BLOCK
 
 
 @compiled
@@ -61,58 +61,80 @@ def cut_saw_teeth(colony: Any, own: Any, cells: Any, count: Any) -> Any:
     """Lead A-B-C, where the angle at B is 45 degrees, straight from A to C (Eq. 17, Fig. 5)."""
     kept = 0
     for i in range(count):
-        while kept >= 2 and _is_tooth(colony, cells[kept - 2], cells[kept - 1], cells[i]):
+        while kept >= 2 and _is_tooth(colony, cells[np.uintp(kept - 2)], cells[i]):
             kept -= 1
-        cells[kept] = cells[i]
+        cells[np.uintp(kept)] = cells[i]
         kept += 1
     return kept
 
 
 @compiled
-def _is_tooth(colony: Any, a: Any, b: Any, c: Any) -> Any:
-    """Tell whether the move from b to c turns back from that from a to b by 135 degrees."""
-    arriving = np.int64(colony.direction_of[b - a + colony.width + 1])
-    leaving = np.int64(colony.direction_of[c - b + colony.width + 1])
-    turn = (leaving - arriving) & 7
-    return turn == 3 or turn == 5
+def _is_tooth(colony: Any, a: Any, c: Any) -> Any:
+    """Tell whether two moves turned back by 135 degrees: they lead from a cell to one straight beside it."""
+    distance = abs(c - a)
+    return distance == 1 or distance == colony.width
 
 
 @compiled
 def cut_circles(colony: Any, own: Any, cells: Any, count: Any) -> Any:
     """From each cell go on to the neighbour that comes last on the path (Sect. 3.3, Fig. 6)."""
     for i in range(count):
-        own.place[cells[i]] = i
+        own.place[np.uintp(cells[i])] = i
     kept = resume = 0
     for i in range(count):
-        cell = cells[i]
+        cell = np.uintp(cells[i])
         if i >= resume:
-            cells[kept] = cell
+            cells[kept] = cells[i]
             kept += 1
-            resume = _last_neighbour(colony, own, cell)
+            resume = _last_neighbour(colony, own, cells[i])
         own.place[cell] = -1
     return kept
 
 
 @compiled
 def _last_neighbour(colony: Any, own: Any, cell: Any) -> Any:
-    """Return the latest place on the path that an allowed move from a cell leads to, -1 if there is none."""
-    last = np.int32(-1)
-    for direction in range(8):
-        if colony.allowed[cell] >> direction & 1:
-            last = max(last, own.place[cell + colony.offsets[direction]])
-    return last
+    """Return the latest place on the path that an allowed move from a cell leads to, -1 if there is none.
+
+    A straight move to a cell that is on a path is always allowed.
+    """
+    width, place = colony.width, own.place
+    diagonal = max(
+        max(_beyond(colony, own, cell, 1, 1 - width), _beyond(colony, own, cell, 3, -1 - width)),
+        max(_beyond(colony, own, cell, 5, width - 1), _beyond(colony, own, cell, 7, width + 1)),
+    )
+    beside = max(place[np.uintp(cell + 1)], place[np.uintp(cell - 1)])
+    return max(diagonal, max(beside, max(place[np.uintp(cell - width)], place[np.uintp(cell + width)])))
+
+
+@compiled
+def _beyond(colony: Any, own: Any, cell: Any, direction: Any, offset: Any) -> Any:
+    """Return the place on the path of the cell that a move leads to, -1 if it is not allowed, or not on it."""
+    place = own.place[np.uintp(cell + offset)]
+    return place if colony.allowed[np.uintp(cell)] >> direction & 1 else np.int32(-1)
+
+
+@compiled
+def _has_detour(colony: Any, own: Any, cells: Any, count: Any) -> Any:
+    """Tell whether any cell has a neighbour on the path beyond the next: else no rule finds anything to cut."""
+    for i in range(count):
+        own.place[np.uintp(cells[i])] = i
+    found, i = False, 0
+    while i < count and not found:
+        found = _last_neighbour(colony, own, cells[i]) > i + 1
+        i += 1
+    for i in range(count):
+        own.place[np.uintp(cells[i])] = -1
+    return found
 
 
 @compiled
 def optimise(colony: Any, own: Any, cells: Any, count: Any) -> Any:
-    """Apply the three rules, in the paper's order, until nothing changes."""
-    while True:
-        before = count
-        count = remove_crossings(colony, own, cells, count)
-        count = cut_saw_teeth(colony, own, cells, count)
-        count = cut_circles(colony, own, cells, count)
-        if count == before:
-            return count
+    """Apply the three rules, in the paper's order: once, as then nothing changes any more."""
+    if not _has_detour(colony, own, cells, count):
+        return count
+    count = remove_crossings(colony, own, cells, count)
+    count = cut_saw_teeth(colony, own, cells, count)
+    return cut_circles(colony, own, cells, count)
 
 
 @dataclass(frozen=True, kw_only=True)
