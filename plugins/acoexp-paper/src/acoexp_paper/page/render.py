@@ -11,11 +11,13 @@ from importlib.resources import files
 
 from acoexp.report.render import html_table, markdown_table, markdown_text
 from acoexp.report.table import Table
-from acoexp_paper.claims.verdicts import DEPENDS, FAILS, HOLDS, OPPOSITE
+from acoexp_paper.claims.words import COMPATIBLE, CONTRADICTED, DEPENDS, SHOWN, UNDECIDED
 from acoexp_paper.page.document import Block, Bullets, Document, Figure, Heading, Numbers, Section, Text
 
 _STYLE = files("acoexp_paper.page").joinpath("style.css").read_text(encoding="utf-8")
-_CLASSES = {HOLDS: "yes", "yes": "yes", FAILS: "no", "no": "no", OPPOSITE: "against", DEPENDS: "mixed"}
+_CLASSES = {
+    SHOWN: "yes", COMPATIBLE: "yes", "yes": "yes", UNDECIDED: "no", "no": "no", CONTRADICTED: "against", DEPENDS: "mixed",
+}  # fmt: skip
 """The style of a table's entry, by its text."""
 
 

@@ -18,20 +18,22 @@ from acoexp.trial.seeds import parse_seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.trials import Trials
 from acoexp_paper.published.tables import ENVIRONMENTS
+from acoexp_paper.trials.concentration import with_concentration
 from acoexp_paper.trials.samples import Samples
 
 
 @dataclass(frozen=True)
 class Experiment:
-    """All trials behind the report.
+    """All trials behind the report: one set for an algorithm and a map, whatever is asked of them.
 
     Attributes:
         context: Runs trials.
         maps: The map of each environment.
         given: Environments whose true map the user gave; no other map counts for them.
         trials: Trials of each algorithm on these maps, seeds 0 up.
-        ensemble_trials: Trials of each algorithm on each map of the ensembles, and under each other reading of the
-            paper.
+        ensemble_trials: Trials of each algorithm on each map of the ensembles; 0 leaves these out.
+        reading_trials: Trials of each algorithm on every map under each other reading of the paper; 0 leaves
+            these out.
     """
 
     context: Context
@@ -39,6 +41,7 @@ class Experiment:
     given: frozenset[str]
     trials: int
     ensemble_trials: int
+    reading_trials: int = 0
 
     @cached_property
     def _trials(self) -> dict[str, dict[str, Trials]]:
@@ -49,9 +52,9 @@ class Experiment:
 
     @cached_property
     def main(self) -> dict[str, Samples]:
-        """The samples on each environment's map."""
+        """The samples on each environment's own map."""
         return {
-            env: {algo: measured(algo, self.maps[env], trials) for algo, trials in by_algo.items()}
+            env: {algo: self._measured(env, algo, {}, self.maps[env], trials) for algo, trials in by_algo.items()}
             for env, by_algo in self._trials.items()
         }
 
@@ -60,15 +63,25 @@ class Experiment:
         return {algo: trials.lost_ants.mean(axis=0) for algo, trials in self._trials[env].items()}
 
     @cached_property
-    def ensembles(self) -> dict[str, list[Samples]]:
-        """The samples on each further map of each environment; none where the true map is known."""
+    def samples(self) -> dict[str, list[Samples]]:
+        """The samples on all maps of each environment, in the order of :meth:`maps_of`."""
         return {
             env: [
-                {algo: self._sample(algo, {}, grid, self.ensemble_trials) for algo in ENVIRONMENTS[env].algos}
-                for grid in self.further_maps(env)
+                self.main[env],
+                *(
+                    {
+                        algo: self.varied(env, algo, {}, grid, self.ensemble_trials)
+                        for algo in ENVIRONMENTS[env].algos
+                    }
+                    for grid in self.further_maps(env)
+                ),
             ]
             for env in self.maps
         }
+
+    def maps_of(self, env: str) -> list[Grid]:
+        """Return all maps of an environment, its own map first."""
+        return [self.maps[env], *self.further_maps(env)]
 
     def further_maps(self, env: str) -> list[Grid]:
         """Return the maps of an environment's ensemble that are to be run."""
@@ -82,9 +95,9 @@ class Experiment:
             merged["field"] = {**own["field"], **values["field"]}
         return resolve(algo, merged)
 
-    def varied(self, algo: str, values: Mapping[str, Any], grid: Grid) -> Sample:
-        """Return the sample of an algorithm under another reading of the paper."""
-        return self._sample(algo, values, grid, self.ensemble_trials)
+    def varied(self, env: str, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Sample:
+        """Return so many trials of an algorithm on a map, with some values changed."""
+        return self._measured(env, algo, values, grid, self._run(algo, values, grid, trials))
 
     @property
     def size(self) -> int:
@@ -94,8 +107,11 @@ class Experiment:
             for env in self.maps
         )
 
-    def _sample(self, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Sample:
-        return measured(algo, grid, self._run(algo, values, grid, trials))
+    def _measured(self, env: str, algo: str, values: Mapping[str, Any], grid: Grid, trials: Trials) -> Sample:
+        sample = measured(algo, grid, trials)
+        if not ENVIRONMENTS[env].shows_pheromone:
+            return sample
+        return with_concentration(sample, grid, self.settings(algo, values))
 
     def _run(self, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Trials:
         batch = f"{algo} on {grid.name}{''.join(f', {key}={value}' for key, value in values.items())}"

@@ -1,0 +1,120 @@
+"""What becomes of the averages and claims under other readings of the paper, over all maps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import scipy  # scipy.stats is imported when first used
+
+from acoexp.compare.over_maps.pooling import pooled
+from acoexp.compare.statistics import SIGNIFICANCE, Estimate, holm
+from acoexp_paper.claims.averages import averages_met
+from acoexp_paper.claims.kinds import Claim
+from acoexp_paper.claims.pooling import Effect
+from acoexp_paper.claims.verdicts import Judged, judge
+from acoexp_paper.trials.readings import Maps, Reading
+from acoexp_paper.trials.samples import Samples
+
+
+class Reread(NamedTuple):
+    """A claim under a reading.
+
+    Attributes:
+        judged: What comes of it.
+        change: By how much its effect changes, on the same maps and seeds, with Student's interval over maps; nan
+            where it does not.
+        p: Two-sided p of no change; 1 where there is none.
+    """
+
+    judged: Judged
+    change: Estimate
+    p: float
+
+
+class Outcome(NamedTuple):
+    """What a reading leads to.
+
+    Attributes:
+        reading: The reading.
+        maps: By environment, how many maps it fits.
+        fit: By table, map and algorithm, how many published averages lie inside over these maps, of how many.
+        claims: By key, the claims that can be judged under it.
+        changed: The keys of those whose verdict and effect it changes; p of the changes corrected over all readings.
+    """
+
+    reading: Reading
+    maps: dict[str, int]
+    fit: dict[tuple[int, str, str], tuple[int, int]]
+    claims: dict[str, Reread]
+    changed: tuple[str, ...] = ()
+
+    @property
+    def inside(self) -> int:
+        """How many published averages lie inside."""
+        return sum(inside for inside, _ in self.fit.values())
+
+    @property
+    def averages(self) -> int:
+        """Of how many."""
+        return sum(of for _, of in self.fit.values())
+
+
+def outcome(reading: Reading, claims: Sequence[Claim], maps: Maps, default: Maps) -> Outcome:
+    """Judge a reading.
+
+    Args:
+        reading: The reading.
+        claims: The claims; those about other environments or algorithms are left out.
+        maps: Its samples on each map of each environment.
+        default: Those of the defaults with the same seeds.
+    """
+    there = {env: [samples for samples in of_env if samples is not None] for env, of_env in maps.items()}
+    there = {env: samples for env, samples in there.items() if samples}
+    judged = judge([claim for claim in claims if _can_judge(claim, there)], there)
+    counts = {env: len(there.get(env, ())) for env in maps}
+    return Outcome(reading, counts, averages_met(there), {j.claim.key: _reread(j, maps, default) for j in judged})
+
+
+def _can_judge(claim: Claim, maps: Mapping[str, Sequence[Samples]]) -> bool:
+    return claim.map in maps and set(claim.kind.algos) <= maps[claim.map][0].keys()
+
+
+def _reread(judged: Judged, maps: Maps, default: Maps) -> Reread:
+    kind, env = judged.claim.kind, judged.claim.map
+    before = [
+        kind.effect(old)
+        for new, old in zip(maps[env], default[env], strict=True)
+        if new is not None and old is not None
+    ]
+    return Reread(judged, *_change(before, judged.effects))
+
+
+def _change(before: Sequence[Effect], after: Sequence[Effect]) -> tuple[Estimate, float]:
+    change = np.array([new.value - old.value for old, new in zip(before, after, strict=True)])
+    change = change[~np.isnan(change)]
+    if change.size < 2 or not change.any():
+        return Estimate(np.nan, np.nan, np.nan), 1.0
+    return pooled(change, bounds=(-np.inf, np.inf)).mean, float(scipy.stats.ttest_1samp(change, 0.0).pvalue)
+
+
+def with_changes(outcomes: Sequence[Outcome], verdicts: Mapping[str, str]) -> list[Outcome]:
+    """Return outcomes with the claims that they change.
+
+    Args:
+        outcomes: What the readings lead to.
+        verdicts: By claim, the verdict under the defaults.
+    """
+    p = iter(holm([reread.p for one in outcomes for reread in one.claims.values()]))
+    return [
+        one._replace(changed=tuple(_changed(one, verdicts, [next(p) for _ in one.claims]))) for one in outcomes
+    ]
+
+
+def _changed(outcome: Outcome, verdicts: Mapping[str, str], p: Sequence[float]) -> list[str]:
+    return [
+        key
+        for (key, reread), corrected in zip(outcome.claims.items(), p, strict=True)
+        if corrected < SIGNIFICANCE and reread.judged.verdict != verdicts[key]
+    ]
