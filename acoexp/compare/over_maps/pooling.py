@@ -1,10 +1,10 @@
 """Effects over maps: one on each map, and what they say of maps like these.
 
 The pooled effect is that of a random-effects model (DerSimonian, Laird 1986) with equal weights: the mean over
-maps with Student's interval, which is Hartung and Knapp's (2001) for such weights. What maps vary by holds both the
-differences between them and the noise of their seeds; where that noise is known, it is taken off (Hedges 1983).
-Inverse variances are no weights here: a map on which one configuration always wins, or all trials tie, has an
-estimated variance of nothing, and would outweigh all others. The prediction interval (Higgins, Thompson,
+maps with Student's interval, which is Hartung and Knapp's (2001) for such weights. What maps vary by holds both
+the differences between them and the noise of their seeds; where that noise is known, it is taken off (Hedges
+1983). Inverse variances are no weights here: a map on which one configuration always wins, or all trials tie, has
+an estimated variance of nothing, and would outweigh all others. The prediction interval (Higgins, Thompson,
 Spiegelhalter 2009) tells where the effect on one more such map is to be expected.
 """
 

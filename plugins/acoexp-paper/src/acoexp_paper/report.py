@@ -87,7 +87,7 @@ class Paper(Report):
         return context.folder
 
     def headline(self, folder: Path) -> Sequence[Sequence[str]]:
-        """Return how many claims of each environment, but for those that its maps were fitted to, have each verdict."""
+        """Return how many claims of each environment that its maps were not fitted to have each verdict."""
         written = json.loads((folder / "tables.json").read_text(encoding="utf-8"))
         counts = [[env, *(str(count_verdicts(written, env, v)) for v in VERDICTS)] for env in ENVIRONMENTS]
         return [["claims", *VERDICTS], *counts]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
 import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare.statistics import SIGNIFICANCE, Flags, Values, a12
@@ -97,7 +98,7 @@ def superiority(a: Values, b: Values) -> Effect:
         b: Those of the other algorithm with the same seeds, float[n].
     """
     n = a.size
-    together = scipy.stats.rankdata([*a, *b])
+    together = scipy.stats.rankdata(np.concatenate([a, b]))
     beaten_by_a = n - (together[:n] - scipy.stats.rankdata(a))
     beating_b = together[n:] - scipy.stats.rankdata(b)
     mean = float(beaten_by_a.mean()) / n

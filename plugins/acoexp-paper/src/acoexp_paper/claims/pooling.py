@@ -1,8 +1,8 @@
 """What one map says of an effect, and what all maps say together: a random-effects model, one map or many.
 
-The model is :func:`acoexp.compare.over_maps.pooling.pooled`. Whether maps differ by more than their seeds do is asked
-of the variance over maps, in units of that over seeds: under equal maps it is a quadratic form of normal variables,
-whose distribution Satterthwaite's (1946) chi-squared approximates.
+The model is :func:`acoexp.compare.over_maps.pooling.pooled`. Whether maps differ by more than their seeds do is
+asked of the variance over maps, in units of that over seeds: under equal maps it is a quadratic form of normal
+variables, whose distribution Satterthwaite's (1946) chi-squared approximates.
 """
 
 from __future__ import annotations

@@ -41,7 +41,8 @@ class Outcome(NamedTuple):
         maps: By environment, how many maps it fits.
         fit: By table, map and algorithm, how many published averages lie inside over these maps, of how many.
         claims: By key, the claims that can be judged under it.
-        changed: The keys of those whose verdict and effect it changes; p of the changes corrected over all readings.
+        changed: The keys of those whose verdict and effect it changes; p of the changes corrected over all
+            readings.
     """
 
     reading: Reading
@@ -61,7 +62,9 @@ class Outcome(NamedTuple):
         return sum(of for _, of in self.fit.values())
 
 
-def outcome(reading: Reading, claims: Sequence[Claim], maps: Maps, default: Maps) -> Outcome:
+def outcome(
+    reading: Reading, claims: Sequence[Claim], maps: Maps, default: Mapping[str, Sequence[Samples]]
+) -> Outcome:
     """Judge a reading.
 
     Args:
@@ -81,13 +84,10 @@ def _can_judge(claim: Claim, maps: Mapping[str, Sequence[Samples]]) -> bool:
     return claim.map in maps and set(claim.kind.algos) <= maps[claim.map][0].keys()
 
 
-def _reread(judged: Judged, maps: Maps, default: Maps) -> Reread:
+def _reread(judged: Judged, maps: Maps, default: Mapping[str, Sequence[Samples]]) -> Reread:
     kind, env = judged.claim.kind, judged.claim.map
-    before = [
-        kind.effect(old)
-        for new, old in zip(maps[env], default[env], strict=True)
-        if new is not None and old is not None
-    ]
+    pairs = zip(maps[env], default[env], strict=True)
+    before = [kind.effect(unchanged) for samples, unchanged in pairs if samples is not None]
     return Reread(judged, *_change(before, judged.effects))
 
 

@@ -1,7 +1,7 @@
 """Claims about one algorithm: a printed mean, or how many of the paper's ten trials did something.
 
-Such a claim is its own null hypothesis, and has to be rejected; correction for many tests would favour it, so it is
-judged without.
+Such a claim is its own null hypothesis, and has to be rejected; correction for many tests would favour it, so it
+is judged without.
 """
 
 from __future__ import annotations
@@ -52,18 +52,36 @@ class Statement(Kind):
         return rarity([self.values(samples) for samples in maps], self.printed)
 
     def verdict(self, maps: Sequence[Samples], over: Over, p: float) -> str:
-        """It depends on the map if the maps differ, and some would have the number and others hardly."""
-        if over.differ and _ON_SOME <= float(np.mean(self.on_side(maps, ()))) <= _ON_MOST:
-            return DEPENDS
-        return COMPATIBLE if p >= SIGNIFICANCE else CONTRADICTED
+        """That of :func:`verdict_of_number`."""
+        return verdict_of_number(over, p, self.on_side(maps, ()))
 
     def on_side(self, maps: Sequence[Samples], effects: Sequence[Effect]) -> tuple[bool, ...]:
         """Those on which ten trials may well have the printed number."""
-        return tuple(rarity([self.values(samples)], self.printed) >= SIGNIFICANCE for samples in maps)
+        return compatible_on([self.values(samples) for samples in maps], self.printed)
 
     def published(self, env: str) -> float:
         """The printed number."""
         return self.printed
+
+
+def compatible_on(maps: Sequence[Values], printed: float) -> tuple[bool, ...]:
+    """Return whether ten trials on each map may well have the printed number, by the values of its trials."""
+    return tuple(rarity([values], printed) >= SIGNIFICANCE for values in maps)
+
+
+def verdict_of_number(over: Over, p: float, compatible: Sequence[bool]) -> str:
+    """Return the verdict of a printed number.
+
+    It depends on the map if the maps differ, and some would have the number and others hardly.
+
+    Args:
+        over: The effect over maps.
+        p: How rare the printed number is.
+        compatible: Whether ten trials on each map may well have it.
+    """
+    if over.differ and _ON_SOME <= float(np.mean(compatible)) <= _ON_MOST:
+        return DEPENDS
+    return COMPATIBLE if p >= SIGNIFICANCE else CONTRADICTED
 
 
 @dataclass(frozen=True)
@@ -84,9 +102,13 @@ class MeanIs(Statement):
 
     def effect(self, samples: Samples) -> Effect:
         """Our mean."""
-        values = self.values(samples)
-        known = values[~np.isnan(values)]
-        return effect_of(known, width=1.0) if known.size > 1 else Effect(np.nan, np.nan)
+        return mean_effect(self.values(samples))
+
+
+def mean_effect(values: Values) -> Effect:
+    """Return the mean of what is not nan with its variance; nan of less than two."""
+    known = values[~np.isnan(values)]
+    return effect_of(known, width=1.0) if known.size > 1 else Effect(np.nan, np.nan)
 
 
 @dataclass(frozen=True)

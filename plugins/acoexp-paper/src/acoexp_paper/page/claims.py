@@ -14,14 +14,15 @@ from acoexp_paper.page.document import Block, Bullets, Numbers, Text
 
 _INTRO = (
     "A claim is judged by its effect on all maps of its environment together, each map counting once: a "
-    "random-effects model, with equal weights, Hedges's estimate of the spread between maps, and Hartung and Knapp's "
-    "interval. The next map's is the prediction interval: where the effect on one more such map lies."
+    "random-effects model, with equal weights, Hedges's estimate of the spread between maps, and Hartung and "
+    "Knapp's interval. The next map's is the prediction interval: where the effect on one more such map lies."
 )
 _COMPARISONS = (
-    "Trials with one seed share random numbers, so two algorithms are compared in pairs. A12 is the probability that "
-    "the first does better, ties counted half; a trial that misses the optimum ranks behind all that find it. The "
-    "shares' difference is that of the trials in which it happens. Paper: the same of the paper's own ten trials. p "
-    "is of no effect, corrected over all comparisons (Holm); intervals are at 95 % and not corrected."
+    "Trials with one seed share random numbers, so two algorithms are compared in pairs. A12 is the "
+    "probability that the first does better, ties counted half; a trial that misses the optimum ranks behind "
+    "all that find it. The shares' difference is that of the trials in which it happens. Paper: the same of "
+    "the paper's own ten trials. p is of no effect, corrected over all comparisons (Holm); intervals are at 95 "
+    "% and not corrected."
 )
 _PRINTED = (
     "Paper: the printed number. Ours: the mean over maps, or how many of ten. p: how often the mean of ten of our "
@@ -29,10 +30,10 @@ _PRINTED = (
     "which is therefore not counted."
 )
 _SPREAD = (
-    "Spread: standard deviation of the effect between maps, without the noise of seeds. p (equal maps): of the maps "
-    "having one effect. Better on: maps with the effect on the paper's side, or on which ten trials may well have the "
-    "printed number. Weighted: the pooled effect with each map weighted by the likelihood of the rows it was fitted "
-    "to; as many maps of equal weight would say as much."
+    "Spread: standard deviation of the effect between maps, without the noise of seeds. p (equal maps): of the "
+    "maps having one effect. Better on: maps with the effect on the paper's side, or on which ten trials may "
+    "well have the printed number. Weighted: the pooled effect with each map weighted by the likelihood of the "
+    "rows it was fitted to; as many maps of equal weight would say as much."
 )
 
 
@@ -94,7 +95,8 @@ def _spread(judged: Sequence[Judged]) -> Table:
     rows = [
         [
             one.claim.kind.text, one.claim.map, f"{one.over.maps:.0f}", f"{one.better_on:.0%}",
-            number(one.over.spread), p_value(one.over.p_between), interval(*one.over.mean), *_weighted(one.weighted),
+            number(one.over.spread), p_value(one.over.p_between), interval(*one.over.mean),
+            *_weighted(one.weighted),
         ]
         for one in judged
     ]  # fmt: skip

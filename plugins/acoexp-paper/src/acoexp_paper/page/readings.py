@@ -16,19 +16,20 @@ from acoexp_paper.trials.readings import SOURCES
 from acoexp_paper.trials.samples import X2_LAST
 
 _SOURCE = (
-    "With pheromone on edges, what Eq. 6 calls phi(i), \"the amount of pheromone diffusion source\", can be several "
-    "things. By default it is the pheromone of the edge that gets the share, the one along the force, which is then "
-    "multiplied by a constant. Sect. 3.2 rather means another: it speaks of \"pheromone phi(i) of the current grid\", "
-    "of \"a diffusible pheromone of the current path point\", and of an amount that goes \"from grid i to j\", so of "
-    "what lies at the cell where the ant stands and not on the way ahead of it. Of the readings here, walked_edge "
-    "(the pheromone of the edge by which the ant came, that of its path) and sum_in (of all edges into the cell) are "
-    "nearest to that; with pheromone=cells and walked_edge it is Sect. 3.4, step 3, to the letter. Whoever rebuilds "
-    "the algorithm has to choose, and the choice moves more than the whole diffusion does by the default."
+    "With pheromone on edges, what Eq. 6 calls phi(i), \"the amount of pheromone diffusion source\", can be "
+    "several things. By default it is the pheromone of the edge that gets the share, the one along the force, "
+    "which is then multiplied by a constant. Sect. 3.2 rather means another: it speaks of \"pheromone phi(i) "
+    "of the current grid\", of \"a diffusible pheromone of the current path point\", and of an amount that "
+    "goes \"from grid i to j\", so of what lies at the cell where the ant stands and not on the way ahead of "
+    "it. Of the readings here, walked_edge (the pheromone of the edge by which the ant came, that of its path) "
+    "and sum_in (of all edges into the cell) are nearest to that; with pheromone=cells and walked_edge it is "
+    "Sect. 3.4, step 3, to the letter. Whoever rebuilds the algorithm has to choose, and the choice moves more "
+    "than the whole diffusion does by the default."
 )  # fmt: skip
 _ALL = (
-    "What the paper leaves open is a key of acoexp. Here each takes another value alone, then some together, on all "
-    "maps. Undirected deposit: ants lay pheromone on both ways of an edge. map.moves: the rule for diagonals, on "
-    "those maps alone that keep the published optimum under it."
+    "What the paper leaves open is a key of acoexp. Here each takes another value alone, then some together, "
+    "on all maps. Undirected deposit: ants lay pheromone on both ways of an edge. map.moves: the rule for "
+    "diagonals, on those maps alone that keep the published optimum under it."
 )
 _SIGN = {SHOWN: "+", COMPATIBLE: "=", CONTRADICTED: "-", DEPENDS: "~", UNDECIDED: "o"}
 
@@ -54,17 +55,18 @@ def _of_x2(averages: Sequence[Average]) -> str:
     inside = {name: [row.inside for row in averages if row.printed.column == name] for name in ("x2", X2_LAST)}
     return (
         f"x2 is read as the first cycle that finds l1 twice in a row, which meets {sum(inside['x2'])} of "
-        f"{len(inside['x2'])} published averages on the environments' own maps; as the last cycle with l1 where l2 "
-        f"differs it meets {sum(inside[X2_LAST])}: the column x2_last of the averages."
+        f"{len(inside['x2'])} published averages on the environments' own maps; as the last cycle with l1 where "
+        f"l2 differs it meets {sum(inside[X2_LAST])}: the column x2_last of the averages."
     )
 
 
 def _sources(found: Findings, trials: int) -> Table:
     outcomes = [one for one in found.readings if one.reading in SOURCES]
     note = (
-        "The effect over all maps, and its verdict, with each source of the pheromone that diffuses. The first column "
-        f"is that of the claims; the others are of {trials} trials a map. *: the effect differs from the default's on "
-        "the same seeds (p < 0.05 after Holm's correction over all readings and claims), and so does the verdict."
+        "The effect over all maps, and its verdict, with each source of the pheromone that diffuses. The first "
+        f"column is that of the claims; the others are of {trials} trials a map. *: the effect differs from the "
+        "default's on the same seeds (p < 0.05 after Holm's correction over all readings and claims), and so "
+        "does the verdict."
     )
     headings = ["claim", "map", "force_edge (default)", *(o.reading.text.partition("=")[2] for o in outcomes)]
     rows = [
@@ -86,10 +88,10 @@ def _said(judged: Judged, changed: bool) -> str:
 
 def _fit(found: Findings, trials: int) -> Table:
     note = (
-        "Published averages inside the interval of ten trials' means on a map that is drawn too, of those in each "
-        f"block of the tables; {trials} trials per algorithm and map, the defaults as in the averages. Changed: claims "
-        "whose verdict and effect are others than under the defaults. The maps were searched for under the defaults, "
-        "which favours these for standard ACO."
+        "Published averages inside the interval of ten trials' means on a map that is drawn too, of those in "
+        f"each block of the tables; {trials} trials per algorithm and map, the defaults as in the averages. "
+        "Changed: claims whose verdict and effect are others than under the defaults. The maps were searched "
+        "for under the defaults, which favours these for standard ACO."
     )
     blocks = [f"Table {table} {TITLES[algo].removeprefix('ACO-')}" for table, _, algo in found.met]
     rows = [_fit_row("the defaults", found.met, _counts(found), "")]
@@ -118,8 +120,8 @@ def _fit_row(
 def _signs(found: Findings, trials: int) -> Table:
     numbered = "; ".join(f"{i}: {one.reading.text}" for i, one in enumerate(found.readings, 1))
     note = (
-        f"Over all maps that a reading fits, {trials} trials on each. " + ", ".join(f"{s} {w}" for w, s in _SIGN.items())
-        + f"; blank: no map; *: changed, as above. 0: the defaults; {numbered}."
+        f"Over all maps that a reading fits, {trials} trials on each. " + ", ".join(f"{s} {w}" for w, s in
+        _SIGN.items()) + f"; blank: no map; *: changed, as above. 0: the defaults; {numbered}."
     )  # fmt: skip
     headings = ["claim", "map", "0", *(str(number) for number in range(1, len(found.readings) + 1))]
     rows = [

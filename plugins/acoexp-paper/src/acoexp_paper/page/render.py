@@ -16,7 +16,8 @@ from acoexp_paper.page.document import Block, Bullets, Document, Figure, Heading
 
 _STYLE = files("acoexp_paper.page").joinpath("style.css").read_text(encoding="utf-8")
 _CLASSES = {
-    SHOWN: "yes", COMPATIBLE: "yes", "yes": "yes", UNDECIDED: "no", "no": "no", CONTRADICTED: "against", DEPENDS: "mixed",
+    SHOWN: "yes", COMPATIBLE: "yes", "yes": "yes", UNDECIDED: "no", "no": "no", CONTRADICTED: "against", DEPENDS:
+        "mixed",
 }  # fmt: skip
 """The style of a table's entry, by its text."""
 

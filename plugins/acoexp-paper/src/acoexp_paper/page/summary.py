@@ -60,15 +60,15 @@ def _fit(found: Findings) -> list[str]:
         return []
     said = "; ".join(
         f"{env} {scores[0]:.1f}"
-        + (f" (its {scores.size - 1} further maps {scores[1:].min():.1f} to {scores[1:].max():.1f})" if scores.size > 1 else "")
-        for env, scores in known.items()
+        + (f" (its {scores.size - 1} further maps {scores[1:].min():.1f} to {scores[1:].max():.1f})" if scores.size
+        > 1 else "") for env, scores in known.items()
     )  # fmt: skip
     fitted = [judged for judged in found.claims if judged.claim.fitted]
     met = sum(judged.verdict == COMPATIBLE for judged in fitted)
     return [
-        "The paper's figures are not available to us, so the maps are reconstructions, fitted to standard ACO's rows "
-        f"alone. Log-likelihood of those rows: {said}. Of {len(fitted)} claims about them, {met} are compatible: what "
-        "follows is no better than that fit."
+        "The paper's figures are not available to us, so the maps are reconstructions, fitted to standard "
+        f"ACO's rows alone. Log-likelihood of those rows: {said}. Of {len(fitted)} claims about them, {met} are "
+        "compatible: what follows is no better than that fit."
     ]
 
 
@@ -106,8 +106,8 @@ def _averages(found: Findings) -> str:
     over_maps = sum(bool(row.inside_over_maps) for row in rows)
     drawn = f"; where the map is drawn from ours, {over_maps}" if rows[0].over_maps is not None else ""
     return (
-        f"Of {len(rows)} published averages that the maps were not fitted to, {sum(row.inside for row in rows)} lie "
-        f"where the mean of ten of our trials falls in 95 % of cases ({', '.join(parts)}){drawn}."
+        f"Of {len(rows)} published averages that the maps were not fitted to, {sum(row.inside for row in rows)} "
+        f"lie where the mean of ten of our trials falls in 95 % of cases ({', '.join(parts)}){drawn}."
     )
 
 
@@ -122,8 +122,9 @@ def _sources(found: Findings) -> str:
     )
     names = ", ".join(f"{one.reading.text.partition('=')[2]} {len(one.changed)}" for one in sources)
     return (
-        "The decision that matters most is from where pheromone diffuses, on which the text rather speaks against "
-        f"our default: another source changes {len(keys)} verdicts of {len(found.readings[0].claims)} ({names}).{other}"
+        "The decision that matters most is from where pheromone diffuses, on which the text rather speaks "
+        f"against our default: another source changes {len(keys)} verdicts of {len(found.readings[0].claims)} "
+        f"({names}).{other}"
         if sources
         else f"Other readings of what the paper leaves open were tried.{other}"
     )

@@ -18,8 +18,8 @@ CYCLES = (6, 8, 10)
 """After which the paper's figures show it; the numbers are of the last."""
 
 ON_SHORTEST, ENTROPY = "pheromone_on_shortest", "pheromone_entropy"
-"""Names of the two features: the share of all pheromone that lies on moves of shortest paths; and Shannon's entropy
-of its distribution over all moves, as a share of that of an even one."""
+"""Names of the two features: the share of all pheromone that lies on moves of shortest paths; and Shannon's
+entropy of its distribution over all moves, as a share of that of an even one."""
 
 _TOLERANCE = 1e-6
 
@@ -34,7 +34,7 @@ def with_concentration(sample: Sample, grid: Grid, settings: Settings) -> Sample
 
 
 def concentration(levels: NDArray[np.float64], on_shortest: NDArray[np.bool_]) -> tuple[float, float]:
-    """Return the share on shortest paths and the entropy of pheromone, both [rows, cols, 8]; 0 where none can be."""
+    """Return the share on shortest paths, and the entropy; both arrays are [rows, cols, 8]."""
     there = levels[levels > 0.0]
     share = there / there.sum()
     entropy = -float(share @ np.log(share)) / np.log(there.size)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 from acoexp.compare.measures import measured
@@ -17,7 +17,7 @@ from acoexp.report.context import Context
 from acoexp.trial.seeds import parse_seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.trials import Trials
-from acoexp_paper.published.tables import ENVIRONMENTS
+from acoexp_paper.published.tables import ENVIRONMENTS, TITLES
 from acoexp_paper.trials.concentration import with_concentration
 from acoexp_paper.trials.samples import Samples
 
@@ -44,9 +44,13 @@ class Experiment:
     reading_trials: int = 0
 
     @cached_property
+    def _settings(self) -> dict[str, Settings]:
+        return {algo: self.settings(algo, {}) for algo in TITLES}
+
+    @cached_property
     def _trials(self) -> dict[str, dict[str, Trials]]:
         return {
-            env: {algo: self._run(algo, {}, grid, self.trials) for algo in ENVIRONMENTS[env].algos}
+            env: {algo: self._run(self._settings[algo], grid, self.trials) for algo in ENVIRONMENTS[env].algos}
             for env, grid in self.maps.items()
         }
 
@@ -54,7 +58,10 @@ class Experiment:
     def main(self) -> dict[str, Samples]:
         """The samples on each environment's own map."""
         return {
-            env: {algo: self._measured(env, algo, {}, self.maps[env], trials) for algo, trials in by_algo.items()}
+            env: {
+                algo: _measured(env, algo, self._settings[algo], self.maps[env], trials)
+                for algo, trials in by_algo.items()
+            }
             for env, by_algo in self._trials.items()
         }
 
@@ -66,18 +73,12 @@ class Experiment:
     def samples(self) -> dict[str, list[Samples]]:
         """The samples on all maps of each environment, in the order of :meth:`maps_of`."""
         return {
-            env: [
-                self.main[env],
-                *(
-                    {
-                        algo: self.varied(env, algo, {}, grid, self.ensemble_trials)
-                        for algo in ENVIRONMENTS[env].algos
-                    }
-                    for grid in self.further_maps(env)
-                ),
-            ]
-            for env in self.maps
+            env: [self.main[env], *map(partial(self._further, env), self.further_maps(env))] for env in self.maps
         }
+
+    def _further(self, env: str, grid: Grid) -> Samples:
+        algos = ENVIRONMENTS[env].algos
+        return {algo: self.sample(env, algo, self._settings[algo], grid, self.ensemble_trials) for algo in algos}
 
     def maps_of(self, env: str) -> list[Grid]:
         """Return all maps of an environment, its own map first."""
@@ -95,9 +96,18 @@ class Experiment:
             merged["field"] = {**own["field"], **values["field"]}
         return resolve(algo, merged)
 
-    def varied(self, env: str, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Sample:
-        """Return so many trials of an algorithm on a map, with some values changed."""
-        return self._measured(env, algo, values, grid, self._run(algo, values, grid, trials))
+    def sample(self, env: str, algo: str, settings: Settings, grid: Grid, trials: int, text: str = "") -> Sample:
+        """Return so many trials of an algorithm on a map of an environment.
+
+        Args:
+            env: The environment.
+            algo: The algorithm.
+            settings: Its settings, the defaults or others.
+            grid: The map.
+            trials: How many, seeds 0 up.
+            text: What is said of the settings while the trials run.
+        """
+        return _measured(env, algo, settings, grid, self._run(settings, grid, trials, text))
 
     @property
     def size(self) -> int:
@@ -107,12 +117,11 @@ class Experiment:
             for env in self.maps
         )
 
-    def _measured(self, env: str, algo: str, values: Mapping[str, Any], grid: Grid, trials: Trials) -> Sample:
-        sample = measured(algo, grid, trials)
-        if not ENVIRONMENTS[env].shows_pheromone:
-            return sample
-        return with_concentration(sample, grid, self.settings(algo, values))
+    def _run(self, settings: Settings, grid: Grid, trials: int, text: str = "") -> Trials:
+        batch = f"{settings.label} on {grid.name}{text and f', {text}'}"
+        return self.context.run(settings, grid, parse_seeds(f"0-{trials - 1}"), batch)
 
-    def _run(self, algo: str, values: Mapping[str, Any], grid: Grid, trials: int) -> Trials:
-        batch = f"{algo} on {grid.name}{''.join(f', {key}={value}' for key, value in values.items())}"
-        return self.context.run(self.settings(algo, values), grid, parse_seeds(f"0-{trials - 1}"), batch)
+
+def _measured(env: str, algo: str, settings: Settings, grid: Grid, trials: Trials) -> Sample:
+    sample = measured(algo, grid, trials)
+    return with_concentration(sample, grid, settings) if ENVIRONMENTS[env].shows_pheromone else sample

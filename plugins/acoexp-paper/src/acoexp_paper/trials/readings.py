@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from acoexp.grid.grid import Grid
@@ -49,6 +49,10 @@ class Reading(NamedTuple):
         )
         return other if other.optimum_pair == grid.optimum_pair else None
 
+    def changes(self, algo: str, grid: Grid) -> bool:
+        """Return whether it changes anything for an algorithm on a map that it fits."""
+        return bool(self.of(algo)) or self.moves not in (None, grid.moves)
+
     def __add__(self, other: Reading) -> Reading:  # type: ignore[override]
         """Return both together."""
         return Reading(
@@ -58,8 +62,6 @@ class Reading(NamedTuple):
             self.undirected or other.undirected,
         )
 
-
-DEFAULT = Reading("the defaults", {})
 
 WALKED, SUM_IN, MEAN_OUT, MAX_OUT = (
     Reading(f"diffusion.source={source}", {"diffusion": {"source": source}})
@@ -74,7 +76,6 @@ UNDIRECTED = Reading("undirected deposit", {}, undirected=True)
 TAU0 = Reading("tau0=8", {"tau0": 8.0})
 
 READINGS = (
-    DEFAULT,
     *SOURCES,
     CELLS,
     LOCK_STEP,
@@ -101,49 +102,45 @@ Maps = dict[str, list[Samples | None]]
 """The samples on each map of each environment with published rows; None where a reading does not fit a map."""
 
 
-def samples_of_readings(experiment: Experiment) -> Iterator[tuple[Reading, Maps, Maps]]:
-    """Run all readings but the defaults on all maps; yield their samples and those of the defaults, same seeds.
+def samples_of_readings(experiment: Experiment) -> Iterator[tuple[Reading, Maps, Mapping[str, Sequence[Samples]]]]:
+    """Run all readings on all maps; yield the samples of each, and those of the defaults with the same seeds.
 
     An algorithm that a reading does not change keeps its samples.
     """
     n = experiment.reading_trials
-    default: Maps = {
+    default: dict[str, list[Samples]] = {
         env: [{algo: first_trials(samples[algo], n) for algo in ALGOS} for samples in experiment.samples[env]]
         for env in ENVS
     }
-    for reading in READINGS[1:]:
+    for reading in READINGS:
         yield reading, {env: _on_maps(experiment, reading, env, default[env]) for env in ENVS}, default
 
 
 def _on_maps(
-    experiment: Experiment, reading: Reading, env: str, default: list[Samples | None]
+    experiment: Experiment, reading: Reading, env: str, default: Sequence[Samples]
 ) -> list[Samples | None]:
-    return [
-        _on_map(experiment, reading, env, grid, samples)
-        for grid, samples in zip(experiment.maps_of(env), default, strict=True)
-    ]
-
-
-def _on_map(
-    experiment: Experiment, reading: Reading, env: str, grid: Grid, default: Samples | None
-) -> Samples | None:
-    here = reading.on(grid)
-    if here is None or default is None:
-        return None
-    trials = experiment.reading_trials
-    return {
-        algo: experiment.varied(env, algo, values, here, trials)
-        if (values := reading.of(algo)) or here is not grid
-        else default[algo]
-        for algo in ALGOS
-    }
+    settings = {algo: experiment.settings(algo, reading.of(algo)) for algo in ALGOS}
+    samples: list[Samples | None] = []
+    for grid, unchanged in zip(experiment.maps_of(env), default, strict=True):
+        here = reading.on(grid)
+        samples.append(
+            None
+            if here is None
+            else {
+                algo: experiment.sample(env, algo, settings[algo], here, experiment.reading_trials, reading.text)
+                if reading.changes(algo, grid)
+                else unchanged[algo]
+                for algo in ALGOS
+            }
+        )
+    return samples
 
 
 def trials_of_readings(experiment: Experiment) -> int:
     """Return how many trials all readings need."""
     return experiment.reading_trials * sum(
-        bool(reading.of(algo)) or reading.on(grid) is not grid
-        for reading in READINGS[1:]
+        reading.changes(algo, grid)
+        for reading in READINGS
         for env in ENVS
         for grid in experiment.maps_of(env)
         if reading.on(grid) is not None
