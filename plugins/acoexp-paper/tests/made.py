@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from zlib import crc32
 
 import numpy as np
-import pytest
-from acoexp_paper.claims.kinds import Kind
+from acoexp_paper.claims.kinds import Claim, Kind
+from acoexp_paper.claims.verdicts import judge
+from acoexp_paper.trials.concentration import ENTROPY, ON_SHORTEST
+from acoexp_paper.trials.samples import Samples
 
 from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
@@ -43,10 +46,15 @@ def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[in
     return Trials(seeds.array(), pairs, lost, steps, np.full(n, iterations, np.int32), np.zeros((n, 5)))
 
 
-def says(kind: Kind, **samples: Sample) -> int:
-    """Return what samples, by algorithm, say of a claim: the same by its test and by the numbers alone."""
-    finding = kind.test(samples)
-    p_and_effect = kind.p_and_effect(samples)
-    assert p_and_effect == pytest.approx((finding.p, finding.effect.value))
-    assert kind.says(*p_and_effect) == kind.says(finding.p, finding.effect.value)
-    return kind.says(finding.p, finding.effect.value)
+def made_concentration(sample: Sample, grid: Grid, settings: Settings) -> Sample:
+    """Return a sample with made-up features of its pheromone."""
+    spread = np.random.default_rng(crc32(f"{settings.label} {grid.name} pheromone".encode())).random(
+        sample.found.size
+    )
+    return replace(sample, features={**sample.features, ON_SHORTEST: spread, ENTROPY: 1.0 - spread})
+
+
+def verdict(kind: Kind, *maps: Samples) -> str:
+    """Return the verdict on a claim of some maps' samples."""
+    (judged,) = judge([Claim("", "env2", kind)], {"env2": maps})
+    return judged.verdict

@@ -14,16 +14,20 @@ from acoexp.tracking.tracker import NoTracker
 from acoexp.trial.trials import Trials
 
 OWN = {"iterations": 12, "ants": 5}
-TRIALS, ENSEMBLE_TRIALS, MAPS = 20, 10, 2
+TRIALS, ENSEMBLE_TRIALS, READING_TRIALS, MAPS = 20, 10, 8, 2
 
 FIGURES = [f"fig{number:02}" for number in (1, 7, 8, 9, 10, 11, 12, 13, 14, 16, 17, 18)]
 TABLES = [
+    "summary",
     "table1",
     "table2",
     "table3",
     "averages",
-    "claims",
+    "comparisons",
+    "printed",
+    "spread",
     "success",
+    "sources",
     "readings",
     "reading_claims",
     "audit",

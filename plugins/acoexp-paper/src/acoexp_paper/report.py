@@ -77,9 +77,8 @@ class Paper(Report):
         """
         given = self.true_maps()
         maps = {env: given.get(env) or load_map(env) for env in ENVIRONMENTS}
-        experiment = Experiment(
-            context, maps, frozenset(given), self.trials, self.ensemble_trials, self.reading_trials
-        )
+        readings = min(self.reading_trials, self.trials, self.ensemble_trials or self.trials)  # the same seeds
+        experiment = Experiment(context, maps, frozenset(given), self.trials, self.ensemble_trials, readings)
         with shown_progress(experiment.size + trials_of_readings(experiment)) as show:
             found = Findings.of(replace(experiment, context=replace(context, show=show)), CLAIMS)
         with context.draft() as folder:

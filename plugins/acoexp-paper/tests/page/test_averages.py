@@ -50,13 +50,13 @@ def test_each_average_has_its_row(found: Findings) -> None:
     first = block.table.rows[0]
     row = found.averages[0]
     assert len(block.table.rows) == len(found.averages)
-    assert first[:5] == ["1", "fig13", "Standard ACO", "x1", "11.0"]
+    assert first[:5] == ["1", "fig13", "Standard ACO", "x1 *", "11.0"]
     assert first[5] == f"{row.first_ten:.1f}"
     assert first[6] == "{:.1f} [{:.1f}, {:.1f}]".format(*row.ours)
     assert first[7] == ("yes" if row.inside else "no")
 
 
 def test_without_an_ensemble_its_columns_have_dashes(found: Findings) -> None:
-    alone = found._replace(averages=[row._replace(ensemble=None) for row in found.averages])
+    alone = found._replace(averages=[row._replace(over_maps=None) for row in found.averages])
     (block,) = averages(alone)
     assert {tuple(row[8:]) for row in block.table.rows} == {("-", "-")}

@@ -58,9 +58,9 @@ def test_the_page_brings_its_style() -> None:
 @pytest.mark.parametrize(
     ("text", "style"),
     [
-        ("holds", "yes"),
-        ("does not hold", "no"),
-        ("opposite", "against"),
+        ("shown", "yes"),
+        ("undecided", "no"),
+        ("contradicted", "against"),
         ("depends on the map", "mixed"),
         ("0.12 [0.10, 0.14]", "number"),
         ("&lt; 0.001", "number"),

@@ -16,6 +16,10 @@ _HALF_A_DIGIT = {"x1": 0.05, "x2": 0.05, X2_LAST: 0.05, "x3": 0.05, "n_bar": 0.0
 _HALF_OF_LENGTHS = 0.00005
 
 
+Fit = dict[tuple[int, str, str], tuple[int, int]]
+"""By table, map and algorithm, how many published averages lie inside, of how many."""
+
+
 class Printed(NamedTuple):
     """An average as the paper prints it.
 
@@ -107,13 +111,13 @@ def printed_averages() -> Iterator[Printed]:
                 yield Printed(3, env, algo, column, tables.performance(env, algo, column))
 
 
-def averages_met(maps: Mapping[str, Sequence[Samples]]) -> dict[tuple[int, str, str], tuple[int, int]]:
-    """Return by table, map and algorithm how many published averages lie inside over all maps, of how many.
+def averages_met(maps: Mapping[str, Sequence[Samples]]) -> Fit:
+    """Return how many published averages lie inside over all maps.
 
     Args:
         maps: The samples on each map of some environments, of some algorithms.
     """
-    counts: dict[tuple[int, str, str], tuple[int, int]] = {}
+    counts: Fit = {}
     for printed in printed_averages():
         there = maps.get(printed.map)
         if there and printed.algorithm in there[0] and printed.column != X2_LAST:

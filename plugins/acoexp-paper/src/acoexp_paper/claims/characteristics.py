@@ -3,10 +3,10 @@
 ``python -m acoexp_paper.claims.characteristics``
 
 Trials are drawn, not run. A comparison's two algorithms have normal values with equal spread on each map, as far
-apart as its win share asks: the probability that the first does better. A printed number is the mean of ten trials
-on a map of its own: a cycle, drawn from a geometric distribution whose mean is the map's. Maps that differ have win
-shares, or mean cycles, that are drawn for each of them. All goes through the claims' own code, without Holm's
-correction, which makes *shown* and *contradicted* rarer.
+apart as its win share asks: the probability that the first does better. A printed number is the mean of ten
+trials on a map of its own: a cycle, drawn from a geometric distribution whose mean is the map's. Maps that differ
+have win shares, or mean cycles, that are drawn for each of them. All goes through the claims' own code; without
+Holm's correction, which makes shown and contradicted rarer.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare.over_maps.pooling import pooled
 from acoexp.compare.statistics import SIGNIFICANCE, Estimate, holm
-from acoexp_paper.claims.averages import averages_met
+from acoexp_paper.claims.averages import Fit, averages_met
 from acoexp_paper.claims.kinds import Claim
 from acoexp_paper.claims.pooling import Effect
 from acoexp_paper.claims.verdicts import Judged, judge
@@ -47,7 +47,7 @@ class Outcome(NamedTuple):
 
     reading: Reading
     maps: dict[str, int]
-    fit: dict[tuple[int, str, str], tuple[int, int]]
+    fit: Fit
     claims: dict[str, Reread]
     changed: tuple[str, ...] = ()
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from acoexp.report.table import Table, interval
-from acoexp_paper.claims.averages import Average
+from acoexp_paper.claims.averages import Average, Fit
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.rereading import Outcome
 from acoexp_paper.claims.verdicts import Judged
 from acoexp_paper.claims.words import COMPATIBLE, CONTRADICTED, DEPENDS, SHOWN, UNDECIDED
 from acoexp_paper.page.document import Block, Heading, Numbers, Text
 from acoexp_paper.published.tables import TITLES
-from acoexp_paper.trials.readings import SOURCES
+from acoexp_paper.trials.readings import ENVS, SOURCES
 from acoexp_paper.trials.samples import X2_LAST
 
 _SOURCE = (
@@ -45,7 +45,7 @@ def readings(found: Findings) -> list[Block]:
         Numbers("sources", _sources(found, trials)),
         Heading("All readings"),
         Text(f"{_ALL} {_of_x2(found.averages)}"),
-        Numbers("readings", _fit(found, trials)),
+        Numbers("readings", _fits(found, trials)),
         Numbers("reading_claims", _signs(found, trials)),
     ]
 
@@ -86,7 +86,7 @@ def _said(judged: Judged, changed: bool) -> str:
     return f"{interval(*judged.over.mean)} {judged.verdict}{' *' if changed else ''}"
 
 
-def _fit(found: Findings, trials: int) -> Table:
+def _fits(found: Findings, trials: int) -> Table:
     note = (
         "Published averages inside the interval of ten trials' means on a map that is drawn too, of those in "
         f"each block of the tables; {trials} trials per algorithm and map, the defaults as in the averages. "
@@ -94,27 +94,17 @@ def _fit(found: Findings, trials: int) -> Table:
         "for under the defaults, which favours these for standard ACO."
     )
     blocks = [f"Table {table} {TITLES[algo].removeprefix('ACO-')}" for table, _, algo in found.met]
-    rows = [_fit_row("the defaults", found.met, _counts(found), "")]
-    rows += [_fit_row(o.reading.text, o.fit, o.maps, str(len(o.changed))) for o in found.readings]
+    maps = {env: len(found.experiment.maps_of(env)) for env in ENVS}
+    rows = [_fit_row(found, "the defaults", found.met, maps, "")]
+    rows += [_fit_row(found, o.reading.text, o.fit, o.maps, str(len(o.changed))) for o in found.readings]
     headings = ["reading", "maps", *blocks, "all", "changed"]
     return Table("How well each reading meets the published averages.", note, headings, rows)
 
 
-def _counts(found: Findings) -> dict[str, int]:
-    return {env: len(found.experiment.maps_of(env)) for env in found.readings[0].maps}
-
-
-def _fit_row(
-    text: str, fit: dict[tuple[int, str, str], tuple[int, int]], maps: dict[str, int], changed: str
-) -> list[str]:
-    total = (sum(column) for column in zip(*fit.values(), strict=True))
-    return [
-        text,
-        " + ".join(map(str, maps.values())),
-        *(f"{met}/{of}" if maps[block[1]] else "-" for block, (met, of) in fit.items()),
-        "/".join(map(str, total)),
-        changed,
-    ]
+def _fit_row(found: Findings, text: str, fit: Fit, maps: Mapping[str, int], changed: str) -> list[str]:
+    met, of = (sum(column) for column in zip(*fit.values(), strict=True)) if fit else (0, 0)
+    counts = ("{}/{}".format(*fit[block]) if block in fit else "-" for block in found.met)
+    return [text, " + ".join(map(str, maps.values())), *counts, f"{met}/{of}", changed]
 
 
 def _signs(found: Findings, trials: int) -> Table:
