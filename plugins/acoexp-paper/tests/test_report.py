@@ -144,7 +144,7 @@ def test_what_was_there_stays_if_it_cannot_be_written(report: Path, monkeypatch:
     before = (report / "index.html").read_bytes()
     monkeypatch.setattr("acoexp_paper.figures.everything.save_figures", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
-        Paper(trials=10, ensemble_trials=0).write(context(report))
+        Paper(trials=10, ensemble_trials=0, reading_trials=0).write(context(report))
     assert (report / "index.html").read_bytes() == before
 
 
@@ -198,7 +198,8 @@ def test_settings_that_would_not_be_used_are_refused(tmp_path: Path) -> None:
 
 
 def test_the_command_finds_it_by_its_entry_point(tmp_path: Path) -> None:
-    small = ("report.trials=10", "report.ensemble_trials=0", "iterations=4", "ants=3", "tracking=none")
+    left_out = ("report.ensemble_trials=0", "report.reading_trials=0")
+    small = ("report.trials=10", *left_out, "iterations=4", "ants=3", "tracking=none")
     command = [sys.executable, "-m", "acoexp", "report=paper", *small]
     ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
     assert ended.returncode == 0, ended.stderr

@@ -49,14 +49,25 @@ def said(found: Findings, claims: list[Judged]) -> list[str]:
     ],
 )
 def test_claims_are_counted_by_their_verdicts(found: Findings, verdicts: list[str], counted: str) -> None:
-    assert said(found, [judged(verdict) for verdict in verdicts])[0] == counted
+    assert said(found, [judged(verdict) for verdict in verdicts])[0].endswith(counted)
+
+
+def test_it_says_at_once_how_many_comparisons_are_shown(found: Findings) -> None:
+    pd = [judged(verdict, env=env) for env, verdict in (("fig13", "shown"), ("env2", "undecided"))]
+    text = said(
+        found, [*pd, judged("shown", Fewer("x3", "pdg", "pd")), judged("compatible", CountIs("found", "pd", 5))]
+    )
+    assert text[0].startswith(
+        "Does the paper hold? Comparisons of algorithms that are shown: ACO-PD against standard ACO 1 of 2, ACO-PDG "
+        "against ACO-PD 1 of 1. Of 4 claims"
+    )
 
 
 def test_it_begins_with_how_well_the_maps_meet_what_they_were_fitted_to(found: Findings) -> None:
     number = CountIs("found", "aco", 5)
     fitted = [judged(verdict, number, fitted=True) for verdict in ("compatible", "contradicted")]
     count, fit, *_ = said(found, [judged("shown"), *fitted])
-    assert count.startswith("Of 1 claims")
+    assert "Of 1 claims" in count
     assert f"fig13 {found.scores['fig13'][0]:.1f} (its 2 further maps" in fit
     assert "env1" not in fit
     assert "Of 2 claims about them, 1 are compatible" in fit

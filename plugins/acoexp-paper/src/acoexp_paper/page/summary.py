@@ -10,7 +10,7 @@ import numpy as np
 from acoexp.report.table import Table, interval, number
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.verdicts import Judged
-from acoexp_paper.claims.words import COMPATIBLE, VERDICTS
+from acoexp_paper.claims.words import COMPATIBLE, SHOWN, VERDICTS
 from acoexp_paper.page.document import Block, Bullets, Numbers, Text
 from acoexp_paper.published.tables import ENVIRONMENTS, NAMES, TITLES
 from acoexp_paper.trials.readings import SOURCES
@@ -30,13 +30,24 @@ _TABLE = (
 
 def summary(found: Findings) -> list[Block]:
     """Return the summary."""
-    lines = [*_fit(found), *_pairs(found.counted), _printed(found), _averages(found)]
+    lines = [*_fit(found), *_compared(found.counted), _printed(found), _averages(found)]
     lines += [_sources(found)] if found.readings else []
     return [
-        Text(f"Of {len(found.counted)} claims that the maps were not fitted to, {counted(found.counted)}."),
+        Text(
+            f"Does the paper hold? {_answer(found.counted)}Of {len(found.counted)} claims that the maps were "
+            f"not fitted to, {counted(found.counted)}."
+        ),
         Bullets([*lines, _PREDICTION]),
         Numbers("summary", _table(found.claims)),
     ]
+
+
+def _answer(claims: Sequence[Judged]) -> str:
+    """Say of each two algorithms how many of their comparisons are shown."""
+    pairs = _pairs(claims)
+    shown = (f"{sum(one.verdict == SHOWN for one in group)} of {len(group)}" for group in pairs.values())
+    said = [f"{TITLES[a]} against {NAMES[b]} {count}" for (a, b), count in zip(pairs, shown, strict=True)]
+    return f"Comparisons of algorithms that are shown: {', '.join(said)}. " if said else ""
 
 
 def counted(claims: Sequence[Judged]) -> str:
@@ -72,13 +83,18 @@ def _fit(found: Findings) -> list[str]:
     ]
 
 
-def _pairs(claims: Sequence[Judged]) -> list[str]:
-    """Say of each two algorithms what came of their comparisons."""
+def _pairs(claims: Sequence[Judged]) -> dict[tuple[str, ...], list[Judged]]:
+    """Return the comparisons by their two algorithms."""
     pairs: dict[tuple[str, ...], list[Judged]] = {}
     for judged in claims:
         if judged.claim.kind.compares:
             pairs.setdefault(judged.claim.kind.algos, []).append(judged)
-    return [f"{TITLES[a]} against {NAMES[b]}: {_by_verdict(group)}." for (a, b), group in pairs.items()]
+    return pairs
+
+
+def _compared(claims: Sequence[Judged]) -> list[str]:
+    """Say of each two algorithms what came of their comparisons."""
+    return [f"{TITLES[a]} against {NAMES[b]}: {_by_verdict(group)}." for (a, b), group in _pairs(claims).items()]
 
 
 def _by_verdict(claims: Sequence[Judged]) -> str:
