@@ -58,9 +58,9 @@ class Over(NamedTuple):
         off = abs(self.mean.value - neutral)
         if off == 0.0:
             return 1.0
-        if self.next is None:
-            return float(2.0 * scipy.stats.norm.sf(off / self.error))
-        return float(2.0 * scipy.stats.t.sf(off / self.error, self.maps - 1.0))
+        errors = off / self.error if self.error > 0.0 else np.inf
+        degrees = np.inf if self.next is None else self.maps - 1.0  # seeds are many
+        return float(2.0 * scipy.stats.t.sf(errors, degrees))
 
 
 def effect_of(influences: Values, width: float) -> Effect:

@@ -6,13 +6,11 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-import scipy  # scipy.stats is imported when first used
 
-from acoexp.compare.over_maps.pooling import pooled
 from acoexp.compare.statistics import SIGNIFICANCE, Estimate, holm
 from acoexp_paper.claims.averages import Fit, averages_met
 from acoexp_paper.claims.kinds import Claim
-from acoexp_paper.claims.pooling import Effect
+from acoexp_paper.claims.pooling import Effect, over
 from acoexp_paper.claims.verdicts import Judged, judge
 from acoexp_paper.trials.readings import Maps, Reading
 from acoexp_paper.trials.samples import Samples
@@ -92,11 +90,12 @@ def _reread(judged: Judged, maps: Maps, default: Mapping[str, Sequence[Samples]]
 
 
 def _change(before: Sequence[Effect], after: Sequence[Effect]) -> tuple[Estimate, float]:
-    change = np.array([new.value - old.value for old, new in zip(before, after, strict=True)])
-    change = change[~np.isnan(change)]
-    if change.size < 2 or not change.any():
+    changes = [Effect(new.value - old.value, 0.0) for old, new in zip(before, after, strict=True)]
+    known = [change for change in changes if not np.isnan(change.value)]
+    if len(known) < 2 or not any(change.value for change in known):
         return Estimate(np.nan, np.nan, np.nan), 1.0
-    return pooled(change, bounds=(-np.inf, np.inf)).mean, float(scipy.stats.ttest_1samp(change, 0.0).pvalue)
+    found = over(known, (-np.inf, np.inf))
+    return found.mean, found.p_against(0.0)
 
 
 def with_changes(outcomes: Sequence[Outcome], verdicts: Mapping[str, str]) -> list[Outcome]:
