@@ -16,6 +16,7 @@ from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
 from acoexp.trial.seeds import Seeds
 from acoexp.trial.settings import Settings
+from acoexp.trial.solver import Solver
 from acoexp.trial.trials import Trials
 
 N = 400
@@ -46,11 +47,10 @@ def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[in
     return Trials(seeds.array(), pairs, lost, steps, np.full(n, iterations, np.int32), np.zeros((n, 5)))
 
 
-def made_concentration(sample: Sample, grid: Grid, settings: Settings) -> Sample:
+def made_concentration(sample: Sample, solver: Solver) -> Sample:
     """Return a sample with made-up features of its pheromone."""
-    spread = np.random.default_rng(crc32(f"{settings.label} {grid.name} pheromone".encode())).random(
-        sample.found.size
-    )
+    random = np.random.default_rng(crc32(f"{solver.settings.label} {sample.map} pheromone".encode()))
+    spread = random.random(sample.found.size)
     return replace(sample, features={**sample.features, ON_SHORTEST: spread, ENTROPY: 1.0 - spread})
 
 

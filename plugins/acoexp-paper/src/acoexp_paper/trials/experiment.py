@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
@@ -16,9 +17,11 @@ from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
 from acoexp.trial.seeds import parse_seeds
 from acoexp.trial.settings import Settings
+from acoexp.trial.solver import Solver
+from acoexp.trial.threads import check_threads
 from acoexp.trial.trials import Trials
 from acoexp_paper.published.tables import ENVIRONMENTS, TITLES
-from acoexp_paper.trials.concentration import with_concentration
+from acoexp_paper.trials.concentration import until_shown, with_concentration
 from acoexp_paper.trials.samples import Samples
 
 
@@ -58,10 +61,7 @@ class Experiment:
     def main(self) -> dict[str, Samples]:
         """The samples on each environment's own map."""
         return {
-            env: {
-                algo: _measured(env, algo, self._settings[algo], self.maps[env], trials)
-                for algo, trials in by_algo.items()
-            }
+            env: {algo: self._measured(env, algo, self.maps[env], trials) for algo, trials in by_algo.items()}
             for env, by_algo in self._trials.items()
         }
 
@@ -77,8 +77,16 @@ class Experiment:
         }
 
     def _further(self, env: str, grid: Grid) -> Samples:
-        algos = ENVIRONMENTS[env].algos
-        return {algo: self.sample(env, algo, self._settings[algo], grid, self.ensemble_trials) for algo in algos}
+        return {
+            algo: self._measured(env, algo, grid, self._run(self._settings[algo], grid, self.ensemble_trials))
+            for algo in ENVIRONMENTS[env].algos
+        }
+
+    def _measured(self, env: str, algo: str, grid: Grid, trials: Trials) -> Sample:
+        sample = measured(algo, grid, trials)
+        if not ENVIRONMENTS[env].shows_pheromone:
+            return sample
+        return with_concentration(sample, Solver(grid, until_shown(self._settings[algo])))
 
     def maps_of(self, env: str) -> list[Grid]:
         """Return all maps of an environment, its own map first."""
@@ -96,18 +104,27 @@ class Experiment:
             merged["field"] = {**own["field"], **values["field"]}
         return resolve(algo, merged)
 
-    def sample(self, env: str, algo: str, settings: Settings, grid: Grid, trials: int, text: str = "") -> Sample:
-        """Return so many trials of an algorithm on a map of an environment.
+    def unkept(self, env: str, settings: Settings, grids: Sequence[Grid], trials: int, text: str) -> list[Sample]:
+        """Return a few trials on each of some maps, seeds 0 up; to keep them, too, would take as long again.
 
         Args:
-            env: The environment.
-            algo: The algorithm.
-            settings: Its settings, the defaults or others.
-            grid: The map.
-            trials: How many, seeds 0 up.
-            text: What is said of the settings while the trials run.
+            env: The environment of the maps.
+            settings: Of the trials.
+            grids: The maps.
+            trials: How many on each map.
+            text: What is shown while they run.
         """
-        return _measured(env, algo, settings, grid, self._run(settings, grid, trials, text))
+        solver = Solver(grids[0], settings)
+        shown = Solver(grids[0], until_shown(settings)) if ENVIRONMENTS[env].shows_pheromone else None
+
+        def sample(grid: Grid) -> Sample:
+            found = measured(settings.label, grid, Trials.of(list(solver.on(grid).trials(range(trials)))))
+            return found if shown is None else with_concentration(found, shown.on(grid))
+
+        with ThreadPoolExecutor(check_threads(None)) as pool:
+            samples = list(pool.map(sample, grids))
+        self.context.show(f"{settings.label} on {env}, {text}", trials * len(grids))
+        return samples
 
     @property
     def size(self) -> int:
@@ -117,11 +134,5 @@ class Experiment:
             for env in self.maps
         )
 
-    def _run(self, settings: Settings, grid: Grid, trials: int, text: str = "") -> Trials:
-        batch = f"{settings.label} on {grid.name}{text and f', {text}'}"
-        return self.context.run(settings, grid, parse_seeds(f"0-{trials - 1}"), batch)
-
-
-def _measured(env: str, algo: str, settings: Settings, grid: Grid, trials: Trials) -> Sample:
-    sample = measured(algo, grid, trials)
-    return with_concentration(sample, grid, settings) if ENVIRONMENTS[env].shows_pheromone else sample
+    def _run(self, settings: Settings, grid: Grid, trials: int) -> Trials:
+        return self.context.run(settings, grid, parse_seeds(f"0-{trials - 1}"), f"{settings.label} on {grid.name}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
 from acoexp_paper.published.tables import ALGOS, TABLES
 from acoexp_paper.trials.experiment import Experiment
@@ -119,21 +120,25 @@ def samples_of_readings(experiment: Experiment) -> Iterator[tuple[Reading, Maps,
 def _on_maps(
     experiment: Experiment, reading: Reading, env: str, default: Sequence[Samples]
 ) -> list[Samples | None]:
-    settings = {algo: experiment.settings(algo, reading.of(algo)) for algo in ALGOS}
-    samples: list[Samples | None] = []
-    for grid, unchanged in zip(experiment.maps_of(env), default, strict=True):
-        here = reading.on(grid)
-        samples.append(
-            None
-            if here is None
-            else {
-                algo: experiment.sample(env, algo, settings[algo], here, experiment.reading_trials, reading.text)
-                if reading.changes(algo, grid)
-                else unchanged[algo]
-                for algo in ALGOS
-            }
-        )
-    return samples
+    grids = [reading.on(grid) for grid in experiment.maps_of(env)]
+    by_algo = {algo: _of_algo(experiment, reading, env, algo, grids) for algo in ALGOS}
+    return [
+        None if grid is None else {algo: by_algo[algo].get(grid.name, unchanged[algo]) for algo in ALGOS}
+        for grid, unchanged in zip(grids, default, strict=True)
+    ]
+
+
+def _of_algo(
+    experiment: Experiment, reading: Reading, env: str, algo: str, grids: Sequence[Grid | None]
+) -> dict[str, Sample]:
+    """Return the samples on the maps for which a reading changes something for an algorithm, by the map's name."""
+    own = experiment.maps_of(env)
+    changed = [new for new, old in zip(grids, own, strict=True) if new is not None and reading.changes(algo, old)]
+    if not changed:
+        return {}
+    settings = experiment.settings(algo, reading.of(algo))
+    samples = experiment.unkept(env, settings, changed, experiment.reading_trials, reading.text)
+    return {sample.map: sample for sample in samples}
 
 
 def trials_of_readings(experiment: Experiment) -> int:
