@@ -13,7 +13,7 @@ from acoexp_paper.report import Paper
 from acoexp_paper.trials import experiment as experiments
 from acoexp_paper.trials import readings
 from acoexp_paper.trials.experiment import Experiment
-from made import made_concentration, made_trials
+from made import made_trials, make_up
 from small import ENSEMBLE_TRIALS, MAPS, READING_TRIALS, TRIALS, context
 
 from acoexp.maps.ensemble import ensemble
@@ -49,7 +49,7 @@ def experiment(few: None, tmp_path_factory: pytest.TempPathFactory) -> Experimen
     maps = {env: load_map(env) for env in ENVIRONMENTS}
     made_up = Experiment(made, maps, frozenset(), TRIALS, ENSEMBLE_TRIALS, READING_TRIALS)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(experiments, "with_concentration", made_concentration)
+        make_up(patch)
         assert made_up.samples  # run while they are made up
     return made_up
 
@@ -58,5 +58,5 @@ def experiment(few: None, tmp_path_factory: pytest.TempPathFactory) -> Experimen
 def found(experiment: Experiment) -> Findings:
     """What they say of all averages and claims."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(experiments, "with_concentration", made_concentration)
+        make_up(patch)
         return Findings.of(experiment, CLAIMS)

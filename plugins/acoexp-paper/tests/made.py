@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from zlib import crc32
 
 import numpy as np
+import pytest
 from acoexp_paper.claims.kinds import Claim, Kind
 from acoexp_paper.claims.verdicts import judge
+from acoexp_paper.trials import experiment as experiments
 from acoexp_paper.trials.concentration import ENTROPY, ON_SHORTEST
+from acoexp_paper.trials.experiment import Experiment
 from acoexp_paper.trials.samples import Samples
 
+from acoexp.compare.measures import measured
 from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
-from acoexp.trial.seeds import Seeds
+from acoexp.trial.seeds import Seeds, parse_seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.solver import Solver
 from acoexp.trial.trials import Trials
@@ -49,9 +53,30 @@ def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[in
 
 def made_concentration(sample: Sample, solver: Solver) -> Sample:
     """Return a sample with made-up features of its pheromone."""
-    random = np.random.default_rng(crc32(f"{solver.settings.label} {sample.map} pheromone".encode()))
+    return _with_pheromone(sample, solver.settings.label)
+
+
+def _with_pheromone(sample: Sample, label: str) -> Sample:
+    random = np.random.default_rng(crc32(f"{label} {sample.map} pheromone".encode()))
     spread = random.random(sample.found.size)
     return replace(sample, features={**sample.features, ON_SHORTEST: spread, ENTROPY: 1.0 - spread})
+
+
+def made_unkept(
+    experiment: Experiment, env: str, settings: Settings, grids: Sequence[Grid], trials: int, text: str
+) -> list[Sample]:
+    """Return made-up samples on some maps, as :meth:`Experiment.unkept` returns them."""
+    seeds = parse_seeds(f"0-{trials - 1}")
+    samples = [
+        measured(settings.label, grid, made_trials(settings, grid, seeds, lambda done: None)) for grid in grids
+    ]
+    return [_with_pheromone(sample, settings.label) for sample in samples]
+
+
+def make_up(patch: pytest.MonkeyPatch) -> None:
+    """Let nothing run but what is made up."""
+    patch.setattr(experiments, "with_concentration", made_concentration)
+    patch.setattr(Experiment, "unkept", made_unkept)
 
 
 def verdict(kind: Kind, *maps: Samples) -> str:

@@ -12,6 +12,7 @@ from acoexp_paper.trials.concentration import (
     ON_SHORTEST,
     concentration,
     moves_of_shortest_paths,
+    until_shown,
     with_concentration,
 )
 from small import run_trials
@@ -22,6 +23,7 @@ from acoexp.grid.moves import DIRECTIONS
 from acoexp.registry.load_map import load_map
 from acoexp.registry.resolve import resolve
 from acoexp.trial.seeds import parse_seeds
+from acoexp.trial.solver import Solver
 
 CORNER = Grid(np.array([[0, 0, 0], [1, 1, 0], [1, 1, 0]]), moves="no_cut")
 
@@ -55,9 +57,10 @@ def test_pheromone_on_one_move_is_all_concentrated_and_even_pheromone_not_at_all
 def test_a_trials_features_are_those_of_its_pheromone_after_the_last_of_the_cycles() -> None:
     grid, settings = load_map("fig13"), resolve("aco", {"iterations": 12, "ants": 5})
     plain = measured("aco", grid, run_trials(settings, grid, parse_seeds("0-2")))
-    found = with_concentration(plain, grid, settings)
+    solver = Solver(grid, until_shown(settings))
+    assert solver.settings.scalars.iterations == CYCLES[-1] == 10
+    found = with_concentration(plain, solver)
     assert found.features.keys() - plain.features.keys() == {ON_SHORTEST, ENTROPY}
+    last = concentration(np.nan_to_num(solver.pheromone(2)), moves_of_shortest_paths(grid))
+    assert (found.features[ON_SHORTEST][2], found.features[ENTROPY][2]) == last
     assert ((found.features[ENTROPY] > 0.0) & (found.features[ENTROPY] < 1.0)).all()
-    assert CYCLES[-1] == 10
-    later = with_concentration(plain, grid, resolve("aco", {"iterations": 99, "ants": 5}))
-    np.testing.assert_array_equal(found.features[ENTROPY], later.features[ENTROPY])

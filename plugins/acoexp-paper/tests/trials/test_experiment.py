@@ -10,10 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from acoexp_paper.published.tables import ENVIRONMENTS
-from acoexp_paper.trials import experiment as experiments
 from acoexp_paper.trials.concentration import ENTROPY
 from acoexp_paper.trials.experiment import Experiment
-from made import made_concentration, made_trials
+from made import made_trials, make_up
 from small import ENSEMBLE_TRIALS, MAPS, OWN, TRIALS, context
 
 from acoexp.grid.grid import Grid
@@ -37,7 +36,7 @@ def counted(
     monkeypatch: pytest.MonkeyPatch,
 ) -> Experiment:
     """The small experiment, which counts what it asks for."""
-    monkeypatch.setattr(experiments, "with_concentration", made_concentration)
+    make_up(monkeypatch)
 
     def trials_of(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[int], None]) -> Trials:
         asked[settings.label, grid.name, len(seeds)] += 1
@@ -105,9 +104,22 @@ def test_lost_ants_are_the_mean_of_each_cycle(experiment: Experiment) -> None:
     assert np.unique(lost * TRIALS % 1).size == 1
 
 
-def test_a_batch_is_shown_by_its_algorithm_map_and_what_is_varied(experiment: Experiment, tmp_path: Path) -> None:
-    shown = {}
+def test_a_batch_is_shown_by_its_algorithm_and_map(experiment: Experiment, tmp_path: Path) -> None:
+    shown: dict[str, int] = {}
     watched = replace(context(tmp_path, made_trials), show=shown.__setitem__)
-    settings = experiment.settings("pd", {"q": 100.0})
-    replace(experiment, context=watched).sample("env2", "pd", settings, experiment.maps["env2"], 7, "q=100")
-    assert shown == {"pd on env2, q=100": 7}
+    with pytest.MonkeyPatch.context() as patch:
+        make_up(patch)
+        assert replace(experiment, context=watched).main
+    assert shown["pf on env2"] == TRIALS
+
+
+@pytest.mark.slow_without_jit
+def test_trials_that_are_not_kept_are_those_that_would_be(experiment: Experiment, tmp_path: Path) -> None:
+    shown: dict[str, int] = {}
+    kept = replace(experiment, context=replace(context(tmp_path), show=shown.__setitem__), trials=3)
+    grids = kept.maps_of("fig13")
+    samples = kept.unkept("fig13", kept.settings("pd", {}), grids, 3, "again")
+    assert [sample.map for sample in samples] == [grid.name for grid in grids]
+    for name, values in kept.main["fig13"]["pd"].features.items():
+        np.testing.assert_array_equal(samples[0].features[name], values)
+    assert shown["pd on fig13, again"] == 3 * len(grids)

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
-from pathlib import Path
-
 import numpy as np
 import pytest
-from acoexp_paper.trials import experiment as experiments
 from acoexp_paper.trials.experiment import Experiment
 from acoexp_paper.trials.readings import (
     ENVS,
@@ -21,15 +16,14 @@ from acoexp_paper.trials.readings import (
     samples_of_readings,
     trials_of_readings,
 )
-from made import made_concentration, made_trials
-from small import MAPS, READING_TRIALS, context
+from made import made_unkept, make_up
+from small import MAPS, READING_TRIALS
 
+from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
 from acoexp.registry.load_map import load_map
 from acoexp.registry.resolve import resolve
-from acoexp.trial.seeds import Seeds
 from acoexp.trial.settings import Settings
-from acoexp.trial.trials import Trials
 
 WITH_KEYS = [
     reading for reading in READINGS if "=" in reading.text and not reading.undirected and not reading.moves
@@ -86,7 +80,7 @@ def test_a_rule_for_diagonals_fits_the_maps_that_keep_their_optimum() -> None:
 def test_what_a_reading_does_not_change_keeps_its_first_trials(
     experiment: Experiment, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(experiments, "with_concentration", made_concentration)
+    make_up(monkeypatch)
     ((reading, by_nearest, default),) = samples_of_readings(experiment)
     assert reading.text == "field.obstacles=nearest"
     for env in ENVS:
@@ -98,19 +92,18 @@ def test_what_a_reading_does_not_change_keeps_its_first_trials(
 
 
 def test_their_number_of_trials_is_what_they_ask_for(
-    experiment: Experiment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    experiment: Experiment, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked = []
 
-    def trials_of(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[int], None]) -> Trials:
-        asked.append((settings.field.obstacles, len(seeds)))
-        return made_trials(settings, grid, seeds, show)
+    def unkept(
+        self: Experiment, env: str, settings: Settings, grids: list[Grid], trials: int, text: str
+    ) -> list[Sample]:
+        asked.append((settings.field.obstacles, trials * len(grids)))
+        return made_unkept(self, env, settings, grids, trials, text)
 
-    monkeypatch.setattr(experiments, "with_concentration", made_concentration)
-    counted = replace(experiment, context=context(tmp_path, trials_of))
-    assert counted.samples  # run before, and not for the readings
-    asked.clear()
-    assert len(list(samples_of_readings(counted))) == 1
-    assert set(asked) == {("nearest", READING_TRIALS)}
-    assert len(asked) == len(ENVS) * (1 + MAPS) * 2
-    assert trials_of_readings(counted) == sum(trials for _, trials in asked)
+    make_up(monkeypatch)
+    monkeypatch.setattr(Experiment, "unkept", unkept)
+    assert len(list(samples_of_readings(experiment))) == 1
+    assert asked == [("nearest", READING_TRIALS * (1 + MAPS))] * 2 * len(ENVS)
+    assert trials_of_readings(experiment) == sum(trials for _, trials in asked)
