@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from acoexp.compare.render import as_latex
 from acoexp.errors import MapError, SettingsError
 from acoexp.grid.grid import Grid
 from acoexp.maps.file import MapFile
@@ -22,6 +23,7 @@ from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.words import VERDICTS
 from acoexp_paper.page.contents import document
 from acoexp_paper.page.document import tables_in
+from acoexp_paper.page.latex import as_document, as_latex
 from acoexp_paper.page.records import count_verdicts, records
 from acoexp_paper.page.render import as_csv, as_html, as_markdown
 from acoexp_paper.published.tables import ENVIRONMENTS
@@ -75,6 +77,7 @@ class Paper(Report):
         Raises:
             StrategyError: if a trial failed.
         """
+        began = time.monotonic()
         given = self.true_maps()
         maps = {env: given.get(env) or load_map(env) for env in ENVIRONMENTS}
         readings = min(self.reading_trials, self.trials, self.ensemble_trials or self.trials)  # the same seeds
@@ -83,6 +86,8 @@ class Paper(Report):
             found = Findings.of(replace(experiment, context=replace(context, show=show)), CLAIMS)
         with context.draft() as folder:
             _write_files(found, folder)
+            took = {"seconds": round(time.monotonic() - began, 1), "processors": os.cpu_count()}
+            (folder / "time.json").write_text(as_json(took), encoding="utf-8")
         return context.folder
 
     def headline(self, folder: Path) -> Sequence[Sequence[str]]:
@@ -136,7 +141,8 @@ def _write_files(found: Findings, folder: Path) -> None:
     for name, table in tables_in(report).items():
         head = f"**{markdown_text(table.title)}** {markdown_text(table.note)}"
         texts[f"tables/{name}.md"] = f"{head}\n\n{markdown_table(table)}\n"
-        texts[f"tables/{name}.tex"] = as_latex([table])
+        texts[f"tables/{name}.tex"] = as_latex(table)
         texts[f"tables/{name}.csv"] = as_csv(table)
+    texts["tables/all.tex"] = as_document(tables_in(report))
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")

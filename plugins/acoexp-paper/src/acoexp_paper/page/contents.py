@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from importlib.metadata import version
 
 from acoexp.compare.measures import configuration_row
 from acoexp.compare.tables import success_table
@@ -12,47 +11,58 @@ from acoexp.report.table import Table
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.page.averages import averages, trial_tables
 from acoexp_paper.page.claims import claims
-from acoexp_paper.page.document import Document, Figure, Numbers, Section
+from acoexp_paper.page.document import Document, Figure, Numbers, Section, Text, numbered
+from acoexp_paper.page.maps import fits, maps
 from acoexp_paper.page.method import audit, method
+from acoexp_paper.page.provenance import provenance
 from acoexp_paper.page.readings import readings
+from acoexp_paper.page.references import references
 from acoexp_paper.page.summary import summary
 from acoexp_paper.published.tables import TITLES
 from acoexp_paper.trials.experiment import Experiment
 
-TITLE = (
-    "Liu et al. 2017, an improved ant colony algorithm for robot path planning: what reproduces and what does not"
+TITLE = "Does it hold? Liu et al. 2017, an improved ant colony algorithm for robot path planning, run again"
+
+_FIGURES = (
+    "The paper's own pictures are not available to us. These are drawn of our trials; whatever its tables and "
+    "its text print of the same stands beside them."
 )
 
 
-def document(found: Findings, captions: Mapping[str, str]) -> Document:
+def document(found: Findings, captions: Mapping[str, tuple[str, str]]) -> Document:
     """Return the report.
 
     Args:
         found: What was found.
-        captions: The caption of each figure, by the name of its files.
+        captions: The title and the caption of each figure, by the name of its files.
     """
     experiment = found.experiment
+    figures = {name: Figure(name, *texts) for name, texts in captions.items()}
+    papers = [figure for name, figure in figures.items() if name.startswith("fig")]
+    pictures = [figure for name, figure in figures.items() if not name.startswith("fig")]
     sections = [
         Section("Summary", summary(found)),
-        Section("Tables 1 to 3", trial_tables(experiment)),
-        Section("The averages", averages(found)),
         Section("The claims", claims(found.claims)),
+        Section("Tables 1 to 3", trial_tables(experiment)),
+        Section("Figures", [Text(_FIGURES), *papers]),
+        Section("The averages", averages(found), "Each published average beside ours"),
         Section("Success and running time", [Numbers("success", _success(experiment))]),
-        Section("Figures", [Figure(name, caption) for name, caption in captions.items()]),
-        Section("Interpretations", readings(found)),
-        Section("Audit of the paper", audit()),
-        Section("Maps and method", method(experiment)),
+        Section("Interpretations", readings(found), "What the paper leaves open, read otherwise"),
+        Section("Audit of the paper", audit(), "Where its tables, text and equations contradict each other"),
+        Section("Maps and method", [*method(experiment), *maps(experiment), *pictures]),
+        Section("How well the maps fit", fits(experiment), "Each map, those of the ensembles too"),
+        Section("What this was made with", provenance(experiment)),
+        Section("References", references()),
     ]
-    return Document(TITLE, _lead(experiment), sections)
+    return numbered(Document(TITLE, _lead(experiment), sections))
 
 
 def _lead(experiment: Experiment) -> str:
     own = experiment.context.own_settings
     changed = f" Other than in the paper: {', '.join(f'{k}={v}' for k, v in own.items())}." if own else ""
     return (
-        f"Liu, Yang, Liu, Tian, Gao, Soft Computing 21 (2017), simulated anew with acoexp {version('acoexp')}: "
-        f"{experiment.trials} trials per algorithm and map, seeds 0 to {experiment.trials - 1} for all, beside "
-        f"the ten that the paper averages over.{changed}"
+        f"Liu, Yang, Liu, Tian, Gao, Soft Computing 21 (2017). {experiment.trials} trials per algorithm and "
+        f"map, with the same seeds for all, stand beside the ten that the paper averages over.{changed}"
     )
 
 

@@ -10,12 +10,14 @@ from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.pooling import Over
 from acoexp_paper.claims.rereading import Outcome, Reread
 from acoexp_paper.claims.verdicts import Judged
+from acoexp_paper.page.provenance import made_with
 
 
 def records(found: Findings) -> dict[str, Any]:
     """Return all numbers of the report as plain values; "tables" are the averages of the paper's tables."""
     experiment = found.experiment
     return {
+        "made_with": made_with(experiment),
         "trials": experiment.trials,
         "ensemble_trials": experiment.ensemble_trials,
         "reading_trials": experiment.reading_trials,
