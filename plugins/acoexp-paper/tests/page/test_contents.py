@@ -36,4 +36,4 @@ def test_the_lead_says_what_was_run_and_what_is_not_as_in_the_paper(found: Findi
     assert lead.endswith("Other than in the paper: ants=5, iterations=12.")
     as_published = replace(found.experiment.context, settings=found.experiment.context.preset)
     plain = found._replace(experiment=replace(found.experiment, context=as_published))
-    assert document(plain, {}).lead.endswith("the ten that the paper averages over.")
+    assert document(plain, {}).lead.endswith("env1 environment 1 of Table 3.")

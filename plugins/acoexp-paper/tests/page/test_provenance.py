@@ -11,7 +11,7 @@ import pytest
 from acoexp_paper.page import provenance as module
 from acoexp_paper.page.provenance import made_with, provenance
 from acoexp_paper.trials.experiment import Experiment
-from small import ENSEMBLE_TRIALS, TRIALS
+from small import ENSEMBLE_TRIALS, READING_TRIALS, TRIALS
 
 
 def test_versions_seeds_and_trials_are_said(experiment: Experiment) -> None:
@@ -20,10 +20,13 @@ def test_versions_seeds_and_trials_are_said(experiment: Experiment) -> None:
     assert {name: said[name] for name in ("acoexp", "numpy", "numba")} == {
         name: version(name) for name in ("acoexp", "numpy", "numba")
     }
-    assert said["seeds"] == f"0 to {TRIALS - 1} on each environment's map, 0 to {ENSEMBLE_TRIALS - 1} elsewhere"
-    alone = replace(experiment, ensemble_trials=0)
+    assert said["seeds"] == (
+        f"on each environment's own map 0 to {TRIALS - 1}; on the further maps 0 to {ENSEMBLE_TRIALS - 1}; "
+        f"under other readings 0 to {READING_TRIALS - 1}"
+    )
+    alone = replace(experiment, ensemble_trials=0, reading_trials=0)
     assert made_with(alone)["trials"] == str(TRIALS * (3 + 2 + 4))
-    assert made_with(alone)["seeds"] == f"0 to {TRIALS - 1} on each environment's map"
+    assert made_with(alone)["seeds"] == f"on each environment's own map 0 to {TRIALS - 1}"
 
 
 def test_a_package_that_is_in_no_repository_has_no_commit(

@@ -77,6 +77,8 @@ def test_the_page_brings_its_style() -> None:
     ("text", "style"),
     [
         ("shown", "yes"),
+        ("shown 0.90 (0.70)", "yes"),
+        ("undecided -0.10 (-)", "no"),
         ("undecided", "no"),
         ("contradicted", "against"),
         ("depends on the map", "mixed"),

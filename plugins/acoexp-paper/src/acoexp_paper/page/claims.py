@@ -33,8 +33,11 @@ _SPREAD = (
     "Spread: standard deviation of the effect between maps, without the noise of seeds. p (equal maps): of the "
     "maps having one effect. Better on: maps with the effect on the paper's side, or on which ten trials may "
     "well have the printed number. Weighted: the pooled effect with each map weighted by the likelihood of the "
-    "rows it was fitted to; as many maps of equal weight would say as much."
+    "rows it was fitted to; as many maps of equal weight would say as much, and below three there is no "
+    "interval."
 )
+_FEW = 3
+"""Maps of equal weight without which there is no interval worth printing."""
 
 
 def claims(judged: Sequence[Judged]) -> list[Block]:
@@ -106,4 +109,5 @@ def _spread(judged: Sequence[Judged]) -> Table:
 def _weighted(over: Over | None) -> list[str]:
     if over is None or np.isnan(over.mean.value):
         return ["-", "-"]
-    return [interval(*over.mean), f"{over.maps:.1f}"]
+    mean = interval(*over.mean) if over.maps >= _FEW else number(over.mean.value)
+    return [mean, f"{over.maps:.1f}"]

@@ -21,11 +21,16 @@ from acoexp_paper.page.summary import summary
 from acoexp_paper.published.tables import TITLES
 from acoexp_paper.trials.experiment import Experiment
 
-TITLE = "Does it hold? Liu et al. 2017, an improved ant colony algorithm for robot path planning, run again"
+TITLE = "Liu et al. 2017, an improved ant colony algorithm for robot path planning, run again"
 
 _FIGURES = (
     "The paper's own pictures are not available to us. These are drawn of our trials; whatever its tables and "
     "its text print of the same stands beside them."
+)
+_NAMES = (
+    "ACO-PD is standard ACO with pheromone that diffuses along a potential field, ACO-PDG has a geometric "
+    "optimiser of paths on top, ACO-PF is an older rival. fig13 is the environment of Fig. 13 and Table 1, env2 "
+    "that of Fig. 17 and Table 2, env1 environment 1 of Table 3."
 )
 
 
@@ -62,7 +67,7 @@ def _lead(experiment: Experiment) -> str:
     changed = f" Other than in the paper: {', '.join(f'{k}={v}' for k, v in own.items())}." if own else ""
     return (
         f"Liu, Yang, Liu, Tian, Gao, Soft Computing 21 (2017). {experiment.trials} trials per algorithm and "
-        f"map, with the same seeds for all, stand beside the ten that the paper averages over.{changed}"
+        f"map, with the same seeds for all, stand beside the ten that the paper averages over. {_NAMES}{changed}"
     )
 
 

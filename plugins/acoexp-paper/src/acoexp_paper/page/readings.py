@@ -23,8 +23,7 @@ _SOURCE = (
     "goes \"from grid i to j\", so of what lies at the cell where the ant stands and not on the way ahead of "
     "it. Of the readings here, walked_edge (the pheromone of the edge by which the ant came, that of its path) "
     "and sum_in (of all edges into the cell) are nearest to that; with pheromone=cells and walked_edge it is "
-    "Sect. 3.4, step 3, to the letter. Whoever rebuilds the algorithm has to choose, and the choice moves more "
-    "than the whole diffusion does by the default."
+    "Sect. 3.4, step 3, to the letter. Whoever rebuilds the algorithm has to choose."
 )  # fmt: skip
 _ALL = (
     "What the paper leaves open is a key of acoexp. Here each takes another value alone, then some together, "

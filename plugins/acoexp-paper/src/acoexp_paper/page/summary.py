@@ -1,53 +1,58 @@
-"""The summary: whether the paper holds, in ten lines, and every claim in one small table."""
+"""The summary: whether the paper holds, in ten lines, and its comparisons of algorithms in one small table."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from itertools import chain
 
 import numpy as np
 
-from acoexp.report.table import Table, interval, number
+from acoexp.report.table import Table, number
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.verdicts import Judged
-from acoexp_paper.claims.words import COMPATIBLE, SHOWN, VERDICTS
+from acoexp_paper.claims.words import COMPATIBLE, DEPENDS, UNDECIDED, VERDICTS
 from acoexp_paper.page.document import Block, Bullets, Numbers, Text
 from acoexp_paper.published.tables import ENVIRONMENTS, NAMES, TITLES
 from acoexp_paper.trials.readings import SOURCES
 from acoexp_paper.trials.samples import X2_LAST
 
-_PLURAL = {"depends on the map": "depend on the map", "undecided": "stay undecided"}
+_SAID = {
+    DEPENDS: ("depends on the map", "depend on the map"),
+    UNDECIDED: ("stays undecided", "stay undecided"),
+}
+"""What is said of one claim, and of several, where it is not that they are what the word says."""
+
 _PREDICTION = (
     "What the maps say of ACO-PD, ACO-PDG and ACO-PF is a prediction; ACO-PF is itself a reconstruction, as its "
     "formulas are in no public source. No constant was chosen to make a claim come out."
 )
 _TABLE = (
-    "The effect over all maps with its interval, in brackets after it that of the paper's own ten trials, and the "
-    "verdict. A12: probability that the first does better; difference: of the shares of trials. * the maps were "
-    "fitted to this number, which is not counted."
+    "The verdict, the effect over all maps, and in brackets that of the paper's own ten trials. A12 is the "
+    "probability that the first does better, 0.5 for none; where something happens more often it is the "
+    "difference of the shares of trials, 0 for none. Intervals, tests and printed numbers: The claims."
 )
+_ADDS = {
+    ("pd", "aco"): "what diffusion adds",
+    ("pdg", "pd"): "what the geometric optimisation adds",
+    ("pdg", "aco"): "both together",
+    ("pdg", "pf"): "the rival of Table 3",
+}
 
 
 def summary(found: Findings) -> list[Block]:
     """Return the summary."""
-    lines = [*_fit(found), *_compared(found.counted), _printed(found), _averages(found)]
+    lines = [*_fit(found), *_compared(found.counted), _printed(found)]
     lines += [_sources(found)] if found.readings else []
     return [
         Text(
-            f"Does the paper hold? {_answer(found.counted)}Of {len(found.counted)} claims that the maps were "
-            f"not fitted to, {counted(found.counted)}."
+            f"Does the paper hold? Of {len(found.counted)} claims that the maps were not fitted to, "
+            f"{counted(found.counted)}."
         ),
-        Bullets([*lines, _PREDICTION]),
-        Numbers("summary", _table(found.claims)),
+        Bullets(lines),
+        Numbers("summary", _table(found.counted)),
+        Bullets([_averages(found), _PREDICTION]),
     ]
-
-
-def _answer(claims: Sequence[Judged]) -> str:
-    """Say of each two algorithms how many of their comparisons are shown."""
-    pairs = _pairs(claims)
-    shown = (f"{sum(one.verdict == SHOWN for one in group)} of {len(group)}" for group in pairs.values())
-    said = [f"{TITLES[a]} against {NAMES[b]} {count}" for (a, b), count in zip(pairs, shown, strict=True)]
-    return f"Comparisons of algorithms that are shown: {', '.join(said)}. " if said else ""
 
 
 def counted(claims: Sequence[Judged]) -> str:
@@ -58,9 +63,8 @@ def counted(claims: Sequence[Judged]) -> str:
 
 
 def _words(verdict: str, count: int) -> str:
-    if verdict in _PLURAL:
-        return verdict if count == 1 and verdict not in ("undecided",) else _PLURAL[verdict]
-    return f"{'is' if count == 1 else 'are'} {verdict}"
+    one, many = _SAID.get(verdict, (f"is {verdict}", f"are {verdict}"))
+    return one if count == 1 else many
 
 
 def _fit(found: Findings) -> list[str]:
@@ -78,8 +82,8 @@ def _fit(found: Findings) -> list[str]:
     met = sum(judged.verdict == COMPATIBLE for judged in fitted)
     return [
         "The paper's figures are not available to us, so the maps are reconstructions, fitted to standard "
-        f"ACO's rows alone. Log-likelihood of those rows: {said}. Of {len(fitted)} claims about them, {met} are "
-        "compatible: what follows is no better than that fit."
+        f"ACO's rows alone. Log-likelihood of those rows: {said}. Of {len(fitted)} claims about them, {met} "
+        f"{'is' if met == 1 else 'are'} compatible: what follows is no better than that fit."
     ]
 
 
@@ -94,20 +98,10 @@ def _pairs(claims: Sequence[Judged]) -> dict[tuple[str, ...], list[Judged]]:
 
 def _compared(claims: Sequence[Judged]) -> list[str]:
     """Say of each two algorithms what came of their comparisons."""
-    return [f"{TITLES[a]} against {NAMES[b]}: {_by_verdict(group)}." for (a, b), group in _pairs(claims).items()]
-
-
-def _by_verdict(claims: Sequence[Judged]) -> str:
-    by_verdict: dict[str, dict[str, list[str]]] = {}
-    for judged in claims:
-        kind = judged.claim.kind
-        what = kind.text.removeprefix(NAMES[kind.algos[0]] + " ").removesuffix(" than " + NAMES[kind.algos[1]])
-        by_verdict.setdefault(judged.verdict, {}).setdefault(what, []).append(judged.claim.map)
-    return "; ".join(
-        f"{verdict}: " + ", ".join(f"{what} ({', '.join(envs)})" for what, envs in by_verdict[verdict].items())
-        for verdict in VERDICTS
-        if verdict in by_verdict
-    )
+    return [
+        f"{TITLES[a]} against {NAMES[b]} ({_ADDS[a, b]}): of {len(group)} comparisons, {counted(group)}."
+        for (a, b), group in _pairs(claims).items()
+    ]
 
 
 def _printed(found: Findings) -> str:
@@ -134,35 +128,35 @@ def _sources(found: Findings) -> str:
     keys = {key for one in sources for key in one.changed}
     most = max(others, key=lambda one: len(one.changed), default=None)
     other = (
-        f" Of the other readings, {most.reading.text} changes most verdicts, {len(most.changed)}." if most else ""
+        f" Of the other readings, {most.reading.text} changes most verdicts, {len(most.changed)}."
+        if most and most.changed
+        else " No other reading changes any."
     )
     names = ", ".join(f"{one.reading.text.partition('=')[2]} {len(one.changed)}" for one in sources)
     return (
-        "The decision that matters most is from where pheromone diffuses, on which the text rather speaks "
-        f"against our default: another source changes {len(keys)} verdicts of {len(found.readings[0].claims)} "
-        f"({names}).{other}"
+        "The text leaves open from where pheromone diffuses, and rather speaks against our default: another "
+        f"source changes {len(keys)} verdicts of {len(found.readings[0].claims)} ({names}).{other}"
         if sources
         else f"Other readings of what the paper leaves open were tried.{other}"
     )
 
 
 def _table(claims: Sequence[Judged]) -> Table:
-    envs = list(dict.fromkeys(judged.claim.map for judged in claims))
-    alike: dict[tuple[str, tuple[str, ...]], dict[str, Judged]] = {}
-    for judged in claims:
-        place = alike.setdefault((_row_of(judged), judged.claim.kind.algos), {})
-        place[judged.claim.map] = judged
-    rows = [[text, *(_cell(of_env.get(env)) for env in envs)] for (text, _), of_env in alike.items()]
-    return Table("The claims.", _TABLE, ["claim", *envs], rows)
-
-
-def _row_of(judged: Judged) -> str:
-    text = judged.claim.kind.text
-    return f"{text[0].upper()}{text[1:]}{' *' if judged.claim.fitted else ''}"
+    """Return the comparisons, those of two algorithms together, with a column for each environment."""
+    envs = list(dict.fromkeys(judged.claim.map for judged in claims if judged.claim.kind.compares))
+    rows: dict[str, dict[str, Judged]] = {}
+    for judged in chain.from_iterable(_pairs(claims).values()):
+        rows.setdefault(judged.claim.kind.text, {})[judged.claim.map] = judged
+    return Table(
+        "What the paper says of two algorithms.",
+        _TABLE,
+        ["claim", *envs],
+        [[text, *(_cell(of_env.get(env)) for env in envs)] for text, of_env in rows.items()],
+    )
 
 
 def _cell(judged: Judged | None) -> str:
     if judged is None:
         return ""
     published = "" if judged.published is None else f" ({number(judged.published)})"
-    return f"{interval(*judged.over.mean)}{published} {judged.verdict}"
+    return f"{judged.verdict} {number(judged.over.mean.value)}{published}"
