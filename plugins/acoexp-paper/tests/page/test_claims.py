@@ -52,10 +52,12 @@ def test_a_printed_number_that_the_maps_were_fitted_to_is_marked() -> None:
 
 
 def test_the_spread_stands_with_the_weighted_effect() -> None:
-    weighted = judged(SOONER)._replace(weighted=OVER._replace(maps=2.5))
+    weighted = judged(SOONER)._replace(weighted=OVER._replace(maps=3.5))
     plain, with_weights = (tables(one)["spread"].rows[0] for one in (judged(SOONER), weighted))
     assert plain[1:] == ["env2", "23", "50%", "0.12", "< 0.001", "0.70 [0.60, 0.80]", "-", "-"]
-    assert with_weights[-2:] == ["0.70 [0.60, 0.80]", "2.5"]
+    assert with_weights[-2:] == ["0.70 [0.60, 0.80]", "3.5"]
+    few = judged(SOONER)._replace(weighted=OVER._replace(maps=1.5))
+    assert tables(few)["spread"].rows[0][-2:] == ["0.70", "1.5"]
 
 
 def test_what_is_not_known_is_a_dash() -> None:

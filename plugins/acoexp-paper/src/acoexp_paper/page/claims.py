@@ -15,7 +15,8 @@ from acoexp_paper.page.document import Block, Bullets, Numbers, Text
 _INTRO = (
     "A claim is judged by its effect on all maps of its environment together, each map counting once: a "
     "random-effects model, with equal weights, Hedges's estimate of the spread between maps, and Hartung and "
-    "Knapp's interval. The next map's is the prediction interval: where the effect on one more such map lies."
+    "Knapp's interval. Own map: the environment's own alone, with the interval over its seeds; all maps: it and "
+    "those of its ensemble; next map: the prediction interval, where the effect on one more such map lies."
 )
 _COMPARISONS = (
     "Trials with one seed share random numbers, so two algorithms are compared in pairs. A12 is the "

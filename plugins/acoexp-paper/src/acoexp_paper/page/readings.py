@@ -82,7 +82,7 @@ def _sources(found: Findings, trials: int) -> Table:
 
 
 def _said(judged: Judged, changed: bool) -> str:
-    return f"{interval(*judged.over.mean)} {judged.verdict}{' *' if changed else ''}"
+    return f"{judged.verdict} {interval(*judged.over.mean)}{' *' if changed else ''}"
 
 
 def _fits(found: Findings, trials: int) -> Table:

@@ -135,11 +135,10 @@ def _doi(source: Source) -> str:
 def _coloured(html: str) -> str:
     """Mark verdicts, numbers and rows of averages for the style."""
     for text, name in _CLASSES.items():
-        html = re.sub(
-            f"<td>({text}(?: -?[0-9.]+(?: [[(].*?[])])?)?(?: [*])?)</td>", rf'<td class="{name}">\1</td>', html
-        )
+        effect = r"(?: -?[\d.]+(?: \[.*?\])?(?: \(.*?\))?)?(?: \*)?"
+        html = re.sub(f"<td>({text}{effect})</td>", rf'<td class="{name}">\1</td>', html)
     html = re.sub(r"<tr><td>Average result", '<tr class="average"><td>Average result', html)
-    number = r"(?:&lt; )?[\d.]+(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?"
+    number = r"(?:&lt; )?-?[\d.]+%?(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?|\[[^]]*\]"
     return re.sub(f"<td>({number})</td>", r'<td class="number">\1</td>', html)
 
 
