@@ -36,9 +36,29 @@ _SOURCES = (
         "10.3102/10769986025002101",
     ),
     Source(
-        "McNemar Q (1947) Note on the sampling error of the difference between correlated proportions or "
-        "percentages. Psychometrika 12:153-157. The test of two shares on the same seeds.",
-        "10.1007/BF02295996",
+        "DerSimonian R, Laird N (1986) Meta-analysis in clinical trials. Controlled Clinical Trials 7:177-188. The "
+        "random-effects model.",
+        "10.1016/0197-2456(86)90046-2",
+    ),
+    Source(
+        "Hedges LV (1983) A random effects model for effect sizes. Psychological Bulletin 93:388-395. The spread "
+        "between maps.",
+        "10.1037/0033-2909.93.2.388",
+    ),
+    Source(
+        "Hartung J, Knapp G (2001) On tests of the overall treatment effect in meta-analysis with normally "
+        "distributed responses. Statistics in Medicine 20:1771-1782. The interval of a pooled effect.",
+        "10.1002/sim.791",
+    ),
+    Source(
+        "Higgins JPT, Thompson SG, Spiegelhalter DJ (2009) A re-evaluation of random-effects meta-analysis. Journal "
+        "of the Royal Statistical Society A 172:137-159. The prediction interval.",
+        "10.1111/j.1467-985X.2008.00552.x",
+    ),
+    Source(
+        "Satterthwaite FE (1946) An approximate distribution of estimates of variance components. Biometrics "
+        "Bulletin 2:110-114. Whether maps are equal.",
+        "10.2307/3002019",
     ),
     Source(
         "Holm S (1979) A simple sequentially rejective multiple test procedure. Scandinavian Journal of "
