@@ -42,7 +42,7 @@ def test_noise_of_seeds_that_is_known_is_no_difference_between_maps() -> None:
 
 def test_without_noise_maps_have_the_spread_that_they_were_drawn_with() -> None:
     draw = np.random.default_rng(2)
-    noise = draw.uniform(0.001, 0.02, (2000, 9))
+    noise = draw.uniform(0.0005, 0.005, (2000, 9))
     maps = draw.normal(0.5, 0.1, noise.shape) + draw.normal(0.0, noise**0.5)
     found = [pooled(one, of_seeds, bounds=(-9.0, 9.0)) for one, of_seeds in zip(maps, noise, strict=True)]
     assert np.mean([one.spread**2 for one in found]) == pytest.approx(0.01, rel=0.1)
