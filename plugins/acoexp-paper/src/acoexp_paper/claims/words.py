@@ -7,15 +7,15 @@ DEPENDS, UNDECIDED = "depends on the map", "undecided"
 
 MEANING = {
     SHOWN: "a comparison comes out as published: its effect, pooled over the maps, lies on the paper's side "
-    "(p < 0.05 after Holm's correction), and no map like these is to be expected on the other",
+    "(p < 0.05 after Holm's correction), and does not depend on the map",
     COMPATIBLE: "a printed number is one that ten of our trials may well give (p at least 0.05) on a map that is "
-    "drawn from ours; that is not a proof of it",
+    "drawn from ours; that is no proof of it",
     CONTRADICTED: "a comparison is shown the other way round, or a printed number is one that ten of our trials "
     "would hardly give (p < 0.05)",
     DEPENDS: "the maps differ by more than their seeds do (p < 0.05), and what they differ in is the answer: the "
-    "prediction interval of one more map has both signs, or between a tenth and nine tenths of the maps are "
+    "prediction interval of one more map lies on both sides, or between a tenth and nine tenths of the maps are "
     "compatible with the printed number",
-    UNDECIDED: "none of these: no effect is told apart from none",
+    UNDECIDED: "a comparison of which none of this can be said: its effect is not told apart from none",
 }
 """The definition of each verdict, in the order in which they are counted."""
 
