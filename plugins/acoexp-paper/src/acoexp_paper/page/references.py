@@ -36,8 +36,8 @@ _SOURCES = (
         "10.3102/10769986025002101",
     ),
     Source(
-        "DerSimonian R, Laird N (1986) Meta-analysis in clinical trials. Controlled Clinical Trials 7:177-188. The "
-        "random-effects model.",
+        "DerSimonian R, Laird N (1986) Meta-analysis in clinical trials. Controlled Clinical Trials 7:177-188. "
+        "The random-effects model.",
         "10.1016/0197-2456(86)90046-2",
     ),
     Source(
@@ -51,8 +51,8 @@ _SOURCES = (
         "10.1002/sim.791",
     ),
     Source(
-        "Higgins JPT, Thompson SG, Spiegelhalter DJ (2009) A re-evaluation of random-effects meta-analysis. Journal "
-        "of the Royal Statistical Society A 172:137-159. The prediction interval.",
+        "Higgins JPT, Thompson SG, Spiegelhalter DJ (2009) A re-evaluation of random-effects meta-analysis. "
+        "Journal of the Royal Statistical Society A 172:137-159. The prediction interval.",
         "10.1111/j.1467-985X.2008.00552.x",
     ),
     Source(
