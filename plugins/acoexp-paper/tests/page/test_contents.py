@@ -28,6 +28,9 @@ def test_success_is_that_of_each_algorithm_on_each_environments_map(found: Findi
     hits = int(found.experiment.main["env1"]["pf"].found.sum())
     assert ["env1", "ACO-PF", f"{hits}/{TRIALS}"] in [row[:3] for row in rows]
     assert len(rows) == 3 + 2 + 4
+    published = {tuple(row[:2]): row[-1] for row in rows}
+    assert published["env2", "Standard ACO"] == "5/10"
+    assert published["env1", "ACO-PF"] == "10/10"
 
 
 def test_the_lead_says_what_was_run_and_what_is_not_as_in_the_paper(found: Findings) -> None:

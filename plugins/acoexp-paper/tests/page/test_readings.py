@@ -26,11 +26,11 @@ def test_another_source_leads_with_every_claim_about_aco_pd(found: Findings) -> 
     source = from_sum_in(found)
     key = next(key for key, one in source.claims.items() if "pd" in one.judged.claim.kind.algos)
     table = tables(found._replace(readings=[source._replace(changed=(key,)), *found.readings]))["sources"]
-    assert table.headings == ["claim", "map", "force_edge (default)", "sum_in"]
+    assert table.headings == ["claim", "map", "paper", "force_edge (default)", "sum_in"]
     assert all("ACO-PD" in row[0] for row in table.rows)
     changed, *others = table.rows
-    assert changed[3] == f"{changed[2]} *"
-    assert [row[2] for row in others] == [row[3] for row in others]
+    assert changed[4] == f"{changed[3]} *"
+    assert [row[3] for row in others] == [row[4] for row in others]
 
 
 def test_each_reading_stands_with_the_averages_that_it_meets(found: Findings) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from acoexp.report.table import Table, interval
+from acoexp.report.table import Table, interval, number
 from acoexp_paper.claims.averages import Average, Fit
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.claims.rereading import Outcome
@@ -62,16 +62,23 @@ def _of_x2(averages: Sequence[Average]) -> str:
 def _sources(found: Findings, trials: int) -> Table:
     outcomes = [one for one in found.readings if one.reading in SOURCES]
     note = (
-        "The effect over all maps, and its verdict, with each source of the pheromone that diffuses. The first "
-        f"column is that of the claims; the others are of {trials} trials a map. *: the effect differs from the "
-        "default's on the same seeds (p < 0.05 after Holm's correction over all readings and claims), and so "
-        "does the verdict."
+        "The effect over all maps, and its verdict, with each source of the pheromone that diffuses. The "
+        f"default's column is that of the claims; the others are of {trials} trials a map. *: the effect "
+        "differs from the default's on the same seeds (p < 0.05 after Holm's correction over all readings and "
+        "claims), and so does the verdict."
     )
-    headings = ["claim", "map", "force_edge (default)", *(o.reading.text.partition("=")[2] for o in outcomes)]
+    headings = [
+        "claim",
+        "map",
+        "paper",
+        "force_edge (default)",
+        *(o.reading.text.partition("=")[2] for o in outcomes),
+    ]
     rows = [
         [
             one.claim.kind.text,
             one.claim.map,
+            "-" if one.published is None else number(one.published),
             _said(one, changed=False),
             *(_said(o.claims[one.claim.key].judged, one.claim.key in o.changed) for o in outcomes),
         ]
