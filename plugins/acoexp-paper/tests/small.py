@@ -23,7 +23,7 @@ FIGURES = [
     *(f"maps_{env}" for env in ENVIRONMENTS),
 ]
 TABLES = [
-    "summary",
+    "verdicts",
     "comparisons",
     "printed",
     "spread",

@@ -254,4 +254,11 @@ def test_it_needs_no_other_file_and_links_to_doi_alone(report: Path) -> None:
     links = re.findall(r'(?:src|href)="(?!#|data:)([^"]*)"', html)
     assert all(link.startswith("https://doi.org/10.") for link in links)
     assert html.count(' src="') == html.count(' src="data:')
+
+
+def test_every_link_of_the_page_has_one_target(report: Path) -> None:
+    html = (report / "index.html").read_text(encoding="utf-8")
+    targets = re.findall(r'<(?:section|figure)(?: class="table")? id="([^"]*)"', html)
+    links = re.findall(r'<a href="#([^"]*)"', html)
+    assert sorted(targets) == sorted({*links, "summary"})
     assert not re.search(r"url\((?!#)", html)

@@ -93,7 +93,8 @@ def averages(found: Findings) -> list[Block]:
         f"{found.experiment.trials} trials on the environment's own map with the interval in which the mean of "
         "ten trials falls in 95 % of cases. Inside: whether the published average lies in it. Over the maps: "
         "the same where the map, too, is drawn from all of the environment's. x2_last is x2 read as the last "
-        "cycle with l1 where l2 differs. Lengths in cells, n_c of ten. *: the maps were fitted to it."
+        "cycle with l1 where l2 differs. Lengths in cells, n_c of ten; l_bar, n_bar: l and n of Table 3. *: the "
+        "maps were fitted to it."
     )
     headings = ["table", "map", "algorithm", "column", "published", "seeds 0-9", "ours", "inside"]
     headings += ["over the maps", "inside (maps)"]

@@ -25,7 +25,7 @@ def method(experiment: Experiment) -> list[Block]:
 def audit() -> list[Block]:
     """Return what the paper's own tables, text and equations contradict."""
     note = "Averages as printed, of the rows as printed, and of the rows with their misprints mended."
-    headings = ["table", "algorithm", "column", "printed", "of the rows", "of the mended rows", ""]
+    headings = ["table", "algorithm", "column", "printed", "of the rows", "of the mended rows", "as printed"]
     rows = [_recomputed(row) for row in recomputed()]
     return [
         Numbers("audit", Table("The paper's averages, recomputed.", note, headings, rows)),

@@ -30,7 +30,8 @@ _PREDICTION = (
 _TABLE = (
     "The verdict, the effect over all maps, and in brackets that of the paper's own ten trials. A12 is the "
     "probability that the first does better, 0.5 for none; where something happens more often it is the "
-    "difference of the shares of trials, 0 for none. Intervals, tests and printed numbers: The claims."
+    "difference of the shares of trials, 0 for none. x1, x2, x3: Fig. 15. Intervals, tests and printed numbers: "
+    "The claims."
 )
 _ADDS = {
     ("pd", "aco"): "what diffusion adds",
@@ -50,7 +51,7 @@ def summary(found: Findings) -> list[Block]:
             f"{counted(found.counted)}."
         ),
         Bullets(lines),
-        Numbers("summary", _table(found.counted)),
+        Numbers("verdicts", _table(found.counted)),
         Bullets([_averages(found), _PREDICTION]),
     ]
 
