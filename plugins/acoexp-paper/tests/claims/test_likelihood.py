@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from acoexp_paper.claims.likelihood import scores, weights
+from acoexp_paper.claims.likelihood import of_themselves, scores, weights
 
 from acoexp.grid.grid import Grid
 from acoexp.registry.load_map import load_map
@@ -17,6 +17,11 @@ def with_score(*values: float | str) -> list[Grid]:
 def test_a_map_brings_its_score_along() -> None:
     assert scores([load_map("fig13")])[0] < -50.0
     assert np.isnan(scores([Grid(np.zeros((3, 3)))])).all()
+
+
+@pytest.mark.parametrize(("env", "expected"), [("fig13", -59.6), ("env2", -52.0)])
+def test_the_published_rows_have_more_than_any_map_under_themselves(env: str, expected: float) -> None:
+    assert of_themselves(env) == pytest.approx(expected, abs=0.05)
 
 
 def test_maps_weigh_as_their_likelihoods() -> None:

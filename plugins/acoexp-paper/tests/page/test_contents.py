@@ -7,7 +7,7 @@ from dataclasses import replace
 from acoexp_paper.claims.findings import Findings
 from acoexp_paper.page.contents import document
 from acoexp_paper.page.document import Figure, tables_in
-from small import TABLES, TRIALS
+from small import ENSEMBLE_TRIALS, TABLES, TRIALS
 
 
 def test_the_summary_comes_first_and_the_tables_in_their_order(found: Findings) -> None:
@@ -35,7 +35,10 @@ def test_success_is_that_of_each_algorithm_on_each_environments_map(found: Findi
 
 def test_the_lead_says_what_was_run_and_what_is_not_as_in_the_paper(found: Findings) -> None:
     lead = document(found, {}).lead
-    assert f"{TRIALS} trials per algorithm and map, with the same seeds for all" in lead
+    assert (
+        f"{TRIALS} trials of each algorithm on each environment's map and {ENSEMBLE_TRIALS} on each further"
+        in lead
+    )
     assert lead.endswith("Other than in the paper: ants=5, iterations=12.")
     as_published = replace(found.experiment.context, settings=found.experiment.context.preset)
     plain = found._replace(experiment=replace(found.experiment, context=as_published))

@@ -31,7 +31,7 @@ def test_the_fit_of_a_map_is_said_where_it_is_known(experiment: Experiment) -> N
 def test_every_map_stands_beside_what_is_published(experiment: Experiment) -> None:
     (block,) = fits(experiment)
     rows = {row[0]: row for row in block.table.rows}
-    assert rows["fig13, published"][4:] == ["10", "100%", "30%", "11.0", "28.1"]
+    assert rows["fig13, published"][3:] == ["-59.6", "10", "100%", "30%", "11.0", "28.1"]
     assert rows["env2, published"][4:] == ["10", "50%", "20%", "4.7", "18.0"]
     sample, grid = experiment.main["fig13"]["aco"], experiment.maps["fig13"]
     assert rows["fig13"][3:6] == [

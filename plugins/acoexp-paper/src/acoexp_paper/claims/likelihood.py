@@ -8,6 +8,8 @@ import numpy as np
 
 from acoexp.compare.statistics import Values
 from acoexp.grid.grid import Grid
+from acoexp.reconstruct.likelihood import log_likelihood
+from acoexp.reconstruct.published import ENVIRONMENTS
 
 _LEAST = 1e-9
 """Of the best map's weight, so that no single map is all there is."""
@@ -19,6 +21,15 @@ def scores(maps: Sequence[Grid]) -> Values:
     It is the one that :mod:`acoexp.reconstruct` left with the map, of fresh trials.
     """
     return np.array([float(grid.metadata.get("score", np.nan)) for grid in maps])
+
+
+def of_themselves(env: str) -> float:
+    """Return the log-likelihood of an environment's published rows as if they were the simulated ones.
+
+    It tells what their spread and the estimate's smoothing leave, and is no bound.
+    """
+    published = ENVIRONMENTS[env].trials
+    return log_likelihood(published, published)
 
 
 def weights(maps: Sequence[Grid]) -> Values | None:

@@ -55,8 +55,8 @@ def _pheromone(experiment: Experiment) -> Iterator[Drawn]:
             draw_pheromone(experiment.maps["fig13"], experiment.settings(algo, {}), SEED),
             f"Fig. {number}. Pheromone distribution of {TITLES[algo]} after the cycles 6, 8 and 10",
             f"Seed {SEED} on fig13: sum over the edges into each cell, as a share of the highest (log scale); "
-            "obstacles are grey. One trial shows no difference between algorithms; no number is printed of the "
-            "paper's.",
+            "obstacles are grey. One trial shows no difference between algorithms: how pheromone gathers in all "
+            "of them is among the claims.",
         )
 
 

@@ -26,9 +26,9 @@ _COMPARISONS = (
     "% and not corrected."
 )
 _PRINTED = (
-    "Paper: the printed number. Ours: the mean over maps, or how many of ten. p: how often the mean of ten of our "
-    "trials, on a map drawn from ours, lies as far off as the printed one. * the maps were fitted to this number, "
-    "which is therefore not counted."
+    "Paper: the printed number. Ours: the mean, or how many of ten, on the own map and over all maps. p: how "
+    "often the mean of ten of our trials, on a map drawn from ours, lies as far off as the printed one. * the "
+    "maps were fitted to this number, which is therefore not counted."
 )
 _SPREAD = (
     "Spread: standard deviation of the effect between maps, without the noise of seeds. p (equal maps): of the "

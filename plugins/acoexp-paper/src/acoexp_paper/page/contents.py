@@ -30,8 +30,8 @@ _FIGURES = (
 )
 _NAMES = (
     "ACO-PD is standard ACO with pheromone that diffuses along a potential field, ACO-PDG has a geometric "
-    "optimiser of paths on top, ACO-PF is an older rival. fig13 is the environment of Fig. 13 and Table 1, env2 "
-    "that of Fig. 17 and Table 2, env1 environment 1 of Table 3."
+    "optimiser of paths on top, ACO-PF is an older rival. fig13 stands for the environment of Fig. 13 and Table "
+    "1, env2 that of Fig. 17 and Table 2, env1 environment 1 of Table 3."
 )
 
 
@@ -66,9 +66,11 @@ def document(found: Findings, captions: Mapping[str, tuple[str, str]]) -> Docume
 def _lead(experiment: Experiment) -> str:
     own = experiment.context.own_settings
     changed = f" Other than in the paper: {', '.join(f'{k}={v}' for k, v in own.items())}." if own else ""
+    further = f" and {experiment.ensemble_trials} on each further one" if experiment.ensemble_trials else ""
     return (
-        f"Liu, Yang, Liu, Tian, Gao, Soft Computing 21 (2017). {experiment.trials} trials per algorithm and "
-        f"map, with the same seeds for all, stand beside the ten that the paper averages over. {_NAMES}{changed}"
+        f"Liu, Yang, Liu, Tian, Gao, Soft Computing 21 (2017): {experiment.trials} trials of each algorithm on "
+        f"each environment's map{further}, with the same seeds for all, beside the ten that the paper averages "
+        f"over. {_NAMES}{changed}"
     )
 
 

@@ -8,8 +8,10 @@ from itertools import chain
 
 import numpy as np
 
+from acoexp.compare.statistics import Values
 from acoexp.report.table import Table, number
 from acoexp_paper.claims.findings import Findings
+from acoexp_paper.claims.likelihood import of_themselves
 from acoexp_paper.claims.verdicts import Judged
 from acoexp_paper.claims.words import COMPATIBLE, DEPENDS, UNDECIDED, VERDICTS
 from acoexp_paper.page.document import Block, Bullets, Numbers, Text
@@ -75,10 +77,9 @@ def _fit(found: Findings) -> list[str]:
     if not known:
         return []
     said = "; ".join(
-        f"{env} {scores[0]:.1f}"
-        + (f" (its {scores.size - 1} further maps {scores[1:].min():.1f} to {scores[1:].max():.1f})" if scores.size
-        > 1 else "") for env, scores in known.items()
-    )  # fmt: skip
+        f"{env} {scores[0]:.1f} ({_further(scores)}the rows themselves {of_themselves(env):.1f})"
+        for env, scores in known.items()
+    )
     fitted = [judged for judged in found.claims if judged.claim.fitted]
     met = sum(judged.verdict == COMPATIBLE for judged in fitted)
     return [
@@ -86,6 +87,11 @@ def _fit(found: Findings) -> list[str]:
         f"ACO's rows alone. Log-likelihood of those rows: {said}. Of {len(fitted)} claims about them, {met} "
         f"{'is' if met == 1 else 'are'} compatible: what follows is no better than that fit."
     ]
+
+
+def _further(scores: Values) -> str:
+    further = scores[1:]
+    return f"its {further.size} further maps {further.min():.1f} to {further.max():.1f}, " if further.size else ""
 
 
 def _pairs(claims: Sequence[Judged]) -> dict[tuple[str, ...], list[Judged]]:
