@@ -20,7 +20,6 @@ from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
 from acoexp.trial.seeds import Seeds, parse_seeds
 from acoexp.trial.settings import Settings
-from acoexp.trial.solver import Solver
 from acoexp.trial.trials import Trials
 
 N = 400
@@ -51,13 +50,9 @@ def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[in
     return Trials(seeds.array(), pairs, lost, steps, np.full(n, iterations, np.int32), np.zeros((n, 5)))
 
 
-def made_concentration(sample: Sample, solver: Solver) -> Sample:
+def made_concentration(sample: Sample, grid: Grid, settings: Settings) -> Sample:
     """Return a sample with made-up features of its pheromone."""
-    return _with_pheromone(sample, solver.settings.label)
-
-
-def _with_pheromone(sample: Sample, label: str) -> Sample:
-    random = np.random.default_rng(crc32(f"{label} {sample.map} pheromone".encode()))
+    random = np.random.default_rng(crc32(f"{settings.label} {sample.map} pheromone".encode()))
     spread = random.random(sample.found.size)
     return replace(sample, features={**sample.features, ON_SHORTEST: spread, ENTROPY: 1.0 - spread})
 
@@ -67,10 +62,8 @@ def made_unkept(
 ) -> list[Sample]:
     """Return made-up samples on some maps, as :meth:`Experiment.unkept` returns them."""
     seeds = parse_seeds(f"0-{trials - 1}")
-    samples = [
-        measured(settings.label, grid, made_trials(settings, grid, seeds, lambda done: None)) for grid in grids
-    ]
-    return [_with_pheromone(sample, settings.label) for sample in samples]
+    made = ((grid, made_trials(settings, grid, seeds, lambda done: None)) for grid in grids)
+    return [made_concentration(measured(settings.label, grid, one), grid, settings) for grid, one in made]
 
 
 def make_up(patch: pytest.MonkeyPatch) -> None:

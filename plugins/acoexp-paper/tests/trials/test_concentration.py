@@ -12,7 +12,6 @@ from acoexp_paper.trials.concentration import (
     ON_SHORTEST,
     concentration,
     moves_of_shortest_paths,
-    until_shown,
     with_concentration,
 )
 from small import run_trials
@@ -57,10 +56,9 @@ def test_pheromone_on_one_move_is_all_concentrated_and_even_pheromone_not_at_all
 def test_a_trials_features_are_those_of_its_pheromone_after_the_last_of_the_cycles() -> None:
     grid, settings = load_map("fig13"), resolve("aco", {"iterations": 12, "ants": 5})
     plain = measured("aco", grid, run_trials(settings, grid, parse_seeds("0-2")))
-    solver = Solver(grid, until_shown(settings))
-    assert solver.settings.scalars.iterations == CYCLES[-1] == 10
-    found = with_concentration(plain, solver)
+    found = with_concentration(plain, grid, settings)
     assert found.features.keys() - plain.features.keys() == {ON_SHORTEST, ENTROPY}
-    last = concentration(np.nan_to_num(solver.pheromone(2)), moves_of_shortest_paths(grid))
+    ten = Solver(grid, resolve("aco", {"iterations": CYCLES[-1], "ants": 5}))
+    last = concentration(np.nan_to_num(ten.pheromone(2)), moves_of_shortest_paths(grid))
     assert (found.features[ON_SHORTEST][2], found.features[ENTROPY][2]) == last
     assert ((found.features[ENTROPY] > 0.0) & (found.features[ENTROPY] < 1.0)).all()

@@ -24,14 +24,10 @@ entropy of its distribution over all moves, as a share of that of an even one.""
 _TOLERANCE = 1e-6
 
 
-def until_shown(settings: Settings) -> Settings:
-    """Return settings of trials that end after the last of the cycles."""
-    return replace(settings, scalars=replace(settings.scalars, iterations=CYCLES[-1]))
-
-
-def with_concentration(sample: Sample, solver: Solver) -> Sample:
-    """Return a sample, seeds 0..n-1, with both features of its trials; the solver's end after the last cycle."""
-    on_shortest = moves_of_shortest_paths(solver.grid)
+def with_concentration(sample: Sample, grid: Grid, settings: Settings) -> Sample:
+    """Return a sample, seeds 0..n-1, with both features of its trials."""
+    scalars = replace(settings.scalars, iterations=CYCLES[-1])
+    solver, on_shortest = Solver(grid, replace(settings, scalars=scalars)), moves_of_shortest_paths(grid)
     levels = (np.nan_to_num(solver.pheromone(seed)) for seed in range(sample.found.size))
     found = np.array([concentration(level, on_shortest) for level in levels])
     return replace(sample, features={**sample.features, ON_SHORTEST: found[:, 0], ENTROPY: found[:, 1]})

@@ -21,7 +21,7 @@ from acoexp.trial.solver import Solver
 from acoexp.trial.threads import check_threads
 from acoexp.trial.trials import Trials
 from acoexp_paper.published.tables import ENVIRONMENTS, TITLES
-from acoexp_paper.trials.concentration import until_shown, with_concentration
+from acoexp_paper.trials.concentration import with_concentration
 from acoexp_paper.trials.samples import Samples
 
 
@@ -61,7 +61,10 @@ class Experiment:
     def main(self) -> dict[str, Samples]:
         """The samples on each environment's own map."""
         return {
-            env: {algo: self._measured(env, algo, self.maps[env], trials) for algo, trials in by_algo.items()}
+            env: {
+                algo: _measured(env, self._settings[algo], self.maps[env], trials)
+                for algo, trials in by_algo.items()
+            }
             for env, by_algo in self._trials.items()
         }
 
@@ -78,15 +81,10 @@ class Experiment:
 
     def _further(self, env: str, grid: Grid) -> Samples:
         return {
-            algo: self._measured(env, algo, grid, self._run(self._settings[algo], grid, self.ensemble_trials))
-            for algo in ENVIRONMENTS[env].algos
+            algo: _measured(env, settings, grid, self._run(settings, grid, self.ensemble_trials))
+            for algo, settings in self._settings.items()
+            if algo in ENVIRONMENTS[env].algos
         }
-
-    def _measured(self, env: str, algo: str, grid: Grid, trials: Trials) -> Sample:
-        sample = measured(algo, grid, trials)
-        if not ENVIRONMENTS[env].shows_pheromone:
-            return sample
-        return with_concentration(sample, Solver(grid, until_shown(self._settings[algo])))
 
     def maps_of(self, env: str) -> list[Grid]:
         """Return all maps of an environment, its own map first."""
@@ -115,11 +113,9 @@ class Experiment:
             text: What is shown while they run.
         """
         solver = Solver(grids[0], settings)
-        shown = Solver(grids[0], until_shown(settings)) if ENVIRONMENTS[env].shows_pheromone else None
 
         def sample(grid: Grid) -> Sample:
-            found = measured(settings.label, grid, Trials.of(list(solver.on(grid).trials(range(trials)))))
-            return found if shown is None else with_concentration(found, shown.on(grid))
+            return _measured(env, settings, grid, Trials.of(list(solver.on(grid).trials(range(trials)))))
 
         with ThreadPoolExecutor(check_threads(None)) as pool:
             samples = list(pool.map(sample, grids))
@@ -136,3 +132,8 @@ class Experiment:
 
     def _run(self, settings: Settings, grid: Grid, trials: int) -> Trials:
         return self.context.run(settings, grid, parse_seeds(f"0-{trials - 1}"), f"{settings.label} on {grid.name}")
+
+
+def _measured(env: str, settings: Settings, grid: Grid, trials: Trials) -> Sample:
+    sample = measured(settings.label, grid, trials)
+    return with_concentration(sample, grid, settings) if ENVIRONMENTS[env].shows_pheromone else sample
