@@ -94,7 +94,7 @@ def test_the_most_influential_decision_is_named(found: Findings) -> None:
     _, bullets, *_ = summary(found._replace(readings=[source, nearest]))
     assert isinstance(bullets, Bullets)
     text = bullets.items[-1]
-    assert f"another source changes 1 verdicts of {len(nearest.claims)} (sum_in 1)." in text
+    assert f"another source changes 1 verdicts of {len(nearest.claims)} beyond chance (sum_in 1)." in text
     assert "No other reading changes any." in text
     more = summary(found._replace(readings=[source, nearest._replace(changed=(key,))]))[1].items[-1]
     assert "Of the other readings, field.obstacles=nearest changes most verdicts, 1." in more

@@ -65,7 +65,7 @@ def _sources(found: Findings, trials: int) -> Table:
         "The effect over all maps, and its verdict, with each source of the pheromone that diffuses. The "
         f"default's column is that of the claims; the others are of {trials} trials a map. *: the effect "
         "differs from the default's on the same seeds (p < 0.05 after Holm's correction over all readings and "
-        "claims), and so does the verdict."
+        "claims), and so does the verdict; without it a verdict may differ by the smaller number of trials alone."
     )
     headings = [
         "claim",

@@ -142,7 +142,7 @@ def _sources(found: Findings) -> str:
     names = ", ".join(f"{one.reading.text.partition('=')[2]} {len(one.changed)}" for one in sources)
     return (
         "The text leaves open from where pheromone diffuses, and rather speaks against our default: another "
-        f"source changes {len(keys)} verdicts of {len(found.readings[0].claims)} ({names}).{other}"
+        f"source changes {len(keys)} verdicts of {len(found.readings[0].claims)} beyond chance ({names}).{other}"
         if sources
         else f"Other readings of what the paper leaves open were tried.{other}"
     )
