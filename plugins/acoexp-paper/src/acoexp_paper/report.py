@@ -42,7 +42,7 @@ class Paper(Report):
         200, "trials per algorithm on each further map; 0 leaves these out", minimum=0, maximum=100_000
     )
     reading_trials: int = parameter(
-        20, "trials per algorithm and map under each other reading of the paper; 0 leaves these out",
+        15, "trials per algorithm and map under each other reading of the paper; 0 leaves these out",
         minimum=0, maximum=100_000,
     )  # fmt: skip
     maps: tuple[str, ...] = parameter(

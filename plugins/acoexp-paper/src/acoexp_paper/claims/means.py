@@ -63,18 +63,19 @@ def _means_of_ten(maps: Sequence[Values]) -> Values:
 
     What is nan is left out of a mean, and a mean of nothing is nan.
     """
-    on, drawn = _draws(len(maps))
-    values = np.empty(drawn.shape)
-    for place, of_map in enumerate(maps):
-        here = on == place
-        values[here] = of_map[(drawn[here] * of_map.size).astype(np.int64)]
+    values = maps[0][_places(maps[0].size)]
+    if len(maps) > 1:
+        on = np.random.default_rng(0).integers(len(maps), size=_RESAMPLES)
+        for place, of_map in enumerate(maps):
+            values[on == place] = of_map[_places(of_map.size)[on == place]]
     defined = ~np.isnan(values)
+    if defined.all():
+        return np.asarray(values.mean(axis=1))
     total, of = np.where(defined, values, 0.0).sum(axis=1), defined.sum(axis=1)
     return np.where(of > 0, total / np.maximum(of, 1), np.nan)
 
 
 @cache
-def _draws(maps: int) -> tuple[NDArray[np.int64], Values]:
-    """Return a map for each mean, int[resamples], and its trials' places from 0 to 1, float[resamples, 10]."""
-    random = np.random.default_rng(0)
-    return random.integers(maps, size=_RESAMPLES), random.random((_RESAMPLES, TRIALS))
+def _places(trials: int) -> NDArray[np.int64]:
+    """Return ten of so many trials for each mean, int[resamples, 10]."""
+    return np.random.default_rng(1).integers(trials, size=(_RESAMPLES, TRIALS))

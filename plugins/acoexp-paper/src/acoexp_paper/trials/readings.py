@@ -83,20 +83,15 @@ READINGS = (
     UNDIRECTED,
     *(Reading(f"map.moves={moves}", {}, moves=moves) for moves in ("free", "no_squeeze", "no_cut")),
     Reading("heuristic.at_goal=1", {"heuristic": {"at_goal": 1.0}}),
-    Reading("heuristic.at_goal=10000", {"heuristic": {"at_goal": 1e4}}),
     Reading("q=100", {"q": 100.0}),
     TAU0,
     Reading("field.obstacles=nearest", {"field": {"obstacles": "nearest"}}),
-    Reading("field.repulsion=5", {"field": {"repulsion": 5.0}}),
     Reading("field.repulsion=100", {"field": {"repulsion": 100.0}}),
     Reading("field.reach=2", {"field": {"reach": 2.0}}),
     WALKED + CELLS,
     WALKED + LOCK_STEP,
-    WALKED + UNDIRECTED,
     SUM_IN + LOCK_STEP,
     SUM_IN + UNDIRECTED,
-    SUM_IN + TAU0,
-    TAU0 + UNDIRECTED,
 )
 
 Maps = dict[str, list[Samples | None]]
