@@ -36,3 +36,10 @@ def test_the_command_prints_a_table_of_comparisons_and_one_of_numbers(capsys: py
     printed = capsys.readouterr().out
     assert printed.count("Per cent of 1 simulated claims, 22 maps, seed 0.") == 2
     assert all(f"| {truth.text} | 20 | " in printed for truth in (*COMPARISONS, *PRINTED))
+
+
+@pytest.mark.parametrize("given", [["--simulations", "0"], ["--trials", "1"], ["--seed", "-1"]])
+def test_a_number_out_of_range_is_refused(given: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(given)
+    assert f"argument {given[0]}: expected a whole number from " in capsys.readouterr().err

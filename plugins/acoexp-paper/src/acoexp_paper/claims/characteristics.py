@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -129,12 +129,25 @@ def _per_cent(share: float) -> str:
     return f"{100.0 * share:.1f}"
 
 
+def _between(least: int, most: int) -> Callable[[str], int]:
+    def whole_number(text: str) -> int:
+        if not least <= (value := int(text)) <= most:
+            raise argparse.ArgumentTypeError(f"expected a whole number from {least} to {most}; got {text!r}")
+        return value
+
+    return whole_number
+
+
 def main(arguments: Sequence[str] | None = None) -> None:
     """Print the tables as Markdown."""
     parser = argparse.ArgumentParser(prog="python -m acoexp_paper.claims.characteristics", description=__doc__)
-    parser.add_argument("--simulations", type=int, default=1000, help="claims for each row (default: 1000)")
-    parser.add_argument("--trials", type=int, nargs="+", default=[100, 1000], help="a map (default: 100 1000)")
-    parser.add_argument("--seed", type=int, default=0, help="of the random numbers (default: 0)")
+    parser.add_argument(
+        "--simulations", type=_between(1, 1_000_000), default=1000, help="claims for each row (default: 1000)"
+    )
+    parser.add_argument(
+        "--trials", type=_between(2, 100_000), nargs="+", default=[100, 1000], help="a map (default: 100 1000)"
+    )
+    parser.add_argument("--seed", type=_between(0, 2**63), default=0, help="of the random numbers (default: 0)")
     given = parser.parse_args(arguments)
     for truths in (COMPARISONS, PRINTED):
         made = table(truths, given.trials, given.simulations, given.seed)
