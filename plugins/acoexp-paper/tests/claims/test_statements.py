@@ -40,10 +40,10 @@ def test_over_maps_a_printed_mean_may_be_that_of_any() -> None:
     ("p", "p_between", "on", "said"),
     [
         (0.5, 0.5, 0.5, "compatible"),
-        (0.5, 0.01, 0.5, "depends on the map"),
-        (0.01, 0.01, 0.5, "depends on the map"),
-        (0.5, 0.01, 0.95, "compatible"),
-        (0.01, 0.01, 0.05, "contradicted"),
+        (0.5, 0.001, 0.5, "depends on the map"),
+        (0.01, 0.001, 0.5, "depends on the map"),
+        (0.5, 0.001, 0.95, "compatible"),
+        (0.01, 0.001, 0.05, "contradicted"),
         (0.01, 0.5, 0.5, "contradicted"),
     ],
 )

@@ -142,7 +142,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """Print the tables as Markdown."""
     parser = argparse.ArgumentParser(prog="python -m acoexp_paper.claims.characteristics", description=__doc__)
     parser.add_argument(
-        "--simulations", type=_between(1, 1_000_000), default=1000, help="claims for each row (default: 1000)"
+        "--simulations", type=_between(1, 1_000_000), default=500, help="claims for each row (default: 500)"
     )
     parser.add_argument(
         "--trials", type=_between(2, 100_000), nargs="+", default=[100, 1000], help="a map (default: 100 1000)"

@@ -14,7 +14,10 @@ import numpy as np
 import scipy  # scipy.stats is imported when first used
 
 from acoexp.compare.over_maps.pooling import pooled
-from acoexp.compare.statistics import LEVEL, SIGNIFICANCE, Estimate, Values
+from acoexp.compare.statistics import LEVEL, Estimate, Values
+
+DIFFERENT = 0.01
+"""Level at which maps are taken to differ, so that equal ones hardly ever do, however many claims there are."""
 
 
 class Effect(NamedTuple):
@@ -51,7 +54,7 @@ class Over(NamedTuple):
     @property
     def differ(self) -> bool:
         """Whether the maps differ by more than their seeds do."""
-        return self.p_between < SIGNIFICANCE
+        return self.p_between < DIFFERENT
 
     def p_against(self, neutral: float) -> float:
         """Return the two-sided p of the mean being this."""

@@ -12,7 +12,7 @@ MEANING = {
     "drawn from ours; that is no proof of it",
     CONTRADICTED: "a comparison is shown the other way round, or a printed number is one that ten of our trials "
     "would hardly give (p < 0.05)",
-    DEPENDS: "the maps differ by more than their seeds do (p < 0.05), and what they differ in is the answer: the "
+    DEPENDS: "the maps differ by more than their seeds do (p < 0.01), and what they differ in is the answer: the "
     "prediction interval of one more map lies on both sides, or between a tenth and nine tenths of the maps are "
     "compatible with the printed number",
     UNDECIDED: "a comparison of which none of this can be said: its effect is not told apart from none",
