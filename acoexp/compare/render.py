@@ -11,8 +11,9 @@ _LATEX = {
     **{mark: rf"\{mark}" for mark in "&%$#_{}"},
     "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
     "±": r"$\pm$", "∞": r"$\infty$", "<": "$<$", ">": "$>$", "--": "-{}-",
+    "²": "$^2$", "√": r"$\surd$", "τ": r"$\tau$", "χ": r"$\chi$",
 }  # fmt: skip
-_LATEX_MARKS = re.compile(r"--|[\\~^&%$#_{}±∞<>]")
+_LATEX_MARKS = re.compile("--|[" + re.escape("".join(mark for mark in _LATEX if len(mark) == 1)) + "]")
 
 
 def as_latex(tables: Sequence[Table]) -> str:
@@ -21,7 +22,7 @@ def as_latex(tables: Sequence[Table]) -> str:
 
 
 def _tabular(table: Table) -> str:
-    lines = [_tex_row(row) for row in (table.headings, *table.rows)]
+    lines = [latex_row(row) for row in (table.headings, *table.rows)]
     return "\n".join(
         [
             f"% {table.title}. {table.note}",
@@ -37,11 +38,12 @@ def _tabular(table: Table) -> str:
     )
 
 
-def _tex_row(texts: Sequence[str]) -> str:
+def latex_row(texts: Sequence[str]) -> str:
     """Return a row; the end of the one before would take a ``[`` or ``*`` at its beginning for its own."""
-    row = " & ".join(map(_tex, texts))
+    row = " & ".join(map(latex_text, texts))
     return ("{}" if row.startswith(("[", "*")) else "") + row + r" \\"
 
 
-def _tex(text: str) -> str:
+def latex_text(text: str) -> str:
+    """Return a text as LaTeX in which every sign stands for itself."""
     return _LATEX_MARKS.sub(lambda mark: _LATEX[mark[0]], " ".join(text.splitlines()))

@@ -106,7 +106,14 @@ def test_its_part_and_its_preset_run(installed: Installed, tmp_path: Path) -> No
 
 
 def test_the_papers_report_comes_with_the_wheel(installed: Installed, tmp_path: Path) -> None:
-    installed.acoexp("report=paper", "report.trials=10", "report.ensemble_trials=0", *QUICK, cwd=tmp_path)
+    installed.acoexp(
+        "report=paper",
+        "report.trials=10",
+        "report.ensemble_trials=0",
+        "report.reading_trials=0",
+        *QUICK,
+        cwd=tmp_path,
+    )
     assert (tmp_path / "outputs/reports/paper/index.html").stat().st_size > 100_000
 
 

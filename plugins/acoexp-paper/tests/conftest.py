@@ -1,4 +1,4 @@
-"""A small report, written once, and the findings of trials that are made up: two further maps, two readings."""
+"""A small report, written once, and the findings of made-up trials: two further maps, one other reading."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from acoexp_paper.report import Paper
 from acoexp_paper.trials import experiment as experiments
 from acoexp_paper.trials import readings
 from acoexp_paper.trials.experiment import Experiment
-from made import made_trials
-from small import ENSEMBLE_TRIALS, MAPS, TRIALS, context
+from made import made_trials, make_up
+from small import ENSEMBLE_TRIALS, MAPS, READING_TRIALS, TRIALS, context
 
 from acoexp.maps.ensemble import ensemble
 from acoexp.registry.load_map import load_map
@@ -26,14 +26,14 @@ def few() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(experiments, "ensemble", lambda env: ensemble(env)[:MAPS])
         nearest = readings.Reading("field.obstacles=nearest", {"field": {"obstacles": "nearest"}})
-        patch.setattr(readings, "READINGS", (readings.DEFAULT, nearest))
+        patch.setattr(readings, "READINGS", (nearest,))
         yield
 
 
 @pytest.fixture(scope="session")
 def smaller(few: None) -> Paper:
     """The report with fewer trials, too."""
-    return Paper(trials=TRIALS, ensemble_trials=ENSEMBLE_TRIALS)
+    return Paper(trials=TRIALS, ensemble_trials=ENSEMBLE_TRIALS, reading_trials=READING_TRIALS)
 
 
 @pytest.fixture(scope="session")
@@ -47,10 +47,16 @@ def experiment(few: None, tmp_path_factory: pytest.TempPathFactory) -> Experimen
     """As many trials, made up."""
     made = context(tmp_path_factory.mktemp("made"), made_trials)
     maps = {env: load_map(env) for env in ENVIRONMENTS}
-    return Experiment(made, maps, frozenset(), TRIALS, ENSEMBLE_TRIALS)
+    made_up = Experiment(made, maps, frozenset(), TRIALS, ENSEMBLE_TRIALS, READING_TRIALS)
+    with pytest.MonkeyPatch.context() as patch:
+        make_up(patch)
+        assert made_up.samples  # run while they are made up
+    return made_up
 
 
 @pytest.fixture(scope="session")
 def found(experiment: Experiment) -> Findings:
     """What they say of all averages and claims."""
-    return Findings.of(experiment, CLAIMS)
+    with pytest.MonkeyPatch.context() as patch:
+        make_up(patch)
+        return Findings.of(experiment, CLAIMS)

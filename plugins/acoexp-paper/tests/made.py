@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from zlib import crc32
 
 import numpy as np
 import pytest
-from acoexp_paper.claims.kinds import Kind
+from acoexp_paper.claims.kinds import Claim, Kind
+from acoexp_paper.claims.verdicts import judge
+from acoexp_paper.trials import experiment as experiments
+from acoexp_paper.trials.concentration import ENTROPY, ON_SHORTEST
+from acoexp_paper.trials.experiment import Experiment
+from acoexp_paper.trials.samples import Samples
 
+from acoexp.compare.measures import measured
 from acoexp.compare.sample import Sample
 from acoexp.grid.grid import Grid
-from acoexp.trial.seeds import Seeds
+from acoexp.trial.seeds import Seeds, parse_seeds
 from acoexp.trial.settings import Settings
 from acoexp.trial.trials import Trials
 
@@ -43,10 +50,29 @@ def made_trials(settings: Settings, grid: Grid, seeds: Seeds, show: Callable[[in
     return Trials(seeds.array(), pairs, lost, steps, np.full(n, iterations, np.int32), np.zeros((n, 5)))
 
 
-def says(kind: Kind, **samples: Sample) -> int:
-    """Return what samples, by algorithm, say of a claim: the same by its test and by the numbers alone."""
-    finding = kind.test(samples)
-    p_and_effect = kind.p_and_effect(samples)
-    assert p_and_effect == pytest.approx((finding.p, finding.effect.value))
-    assert kind.says(*p_and_effect) == kind.says(finding.p, finding.effect.value)
-    return kind.says(finding.p, finding.effect.value)
+def made_concentration(sample: Sample, grid: Grid, settings: Settings) -> Sample:
+    """Return a sample with made-up features of its pheromone."""
+    random = np.random.default_rng(crc32(f"{settings.label} {sample.map} pheromone".encode()))
+    spread = random.random(sample.found.size)
+    return replace(sample, features={**sample.features, ON_SHORTEST: spread, ENTROPY: 1.0 - spread})
+
+
+def made_unkept(
+    experiment: Experiment, env: str, settings: Settings, grids: Sequence[Grid], trials: int, text: str
+) -> list[Sample]:
+    """Return made-up samples on some maps, as :meth:`Experiment.unkept` returns them."""
+    seeds = parse_seeds(f"0-{trials - 1}")
+    made = ((grid, made_trials(settings, grid, seeds, lambda done: None)) for grid in grids)
+    return [made_concentration(measured(settings.label, grid, one), grid, settings) for grid, one in made]
+
+
+def make_up(patch: pytest.MonkeyPatch) -> None:
+    """Let nothing run but what is made up."""
+    patch.setattr(experiments, "with_concentration", made_concentration)
+    patch.setattr(Experiment, "unkept", made_unkept)
+
+
+def verdict(kind: Kind, *maps: Samples) -> str:
+    """Return the verdict on a claim of some maps' samples."""
+    (judged,) = judge([Claim("", "env2", kind)], {"env2": maps})
+    return judged.verdict

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
+from acoexp_paper.published.tables import ENVIRONMENTS
+
 from acoexp.registry.load_map import load_map
 from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
@@ -14,20 +16,29 @@ from acoexp.tracking.tracker import NoTracker
 from acoexp.trial.trials import Trials
 
 OWN = {"iterations": 12, "ants": 5}
-TRIALS, ENSEMBLE_TRIALS, MAPS = 20, 10, 2
+TRIALS, ENSEMBLE_TRIALS, READING_TRIALS, MAPS = 20, 10, 8, 2
 
-FIGURES = [f"fig{number:02}" for number in (1, 7, 8, 9, 10, 11, 12, 13, 14, 16, 17, 18)]
+FIGURES = [
+    *(f"fig{number:02}" for number in (1, *range(7, 19))),
+    *(f"maps_{env}" for env in ENVIRONMENTS),
+]
 TABLES = [
+    "verdicts",
+    "comparisons",
+    "printed",
+    "spread",
     "table1",
     "table2",
     "table3",
     "averages",
-    "claims",
     "success",
+    "sources",
     "readings",
     "reading_claims",
     "audit",
     "maps",
+    "fits",
+    "provenance",
 ]
 """The names of their files, in their order."""
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from acoexp.compare.render import as_latex
 from acoexp.errors import MapError, SettingsError
 from acoexp.grid.grid import Grid
 from acoexp.maps.file import MapFile
@@ -19,9 +20,10 @@ from acoexp.report.render import as_json, markdown_table, markdown_text
 from acoexp.report.report import Report
 from acoexp_paper.claims.catalogue import CLAIMS
 from acoexp_paper.claims.findings import Findings
-from acoexp_paper.claims.verdicts import VERDICTS
+from acoexp_paper.claims.words import VERDICTS
 from acoexp_paper.page.contents import document
 from acoexp_paper.page.document import tables_in
+from acoexp_paper.page.latex import as_document, as_latex
 from acoexp_paper.page.records import count_verdicts, records
 from acoexp_paper.page.render import as_csv, as_html, as_markdown
 from acoexp_paper.published.tables import ENVIRONMENTS
@@ -37,7 +39,10 @@ class Paper(Report):
         1000, "trials per algorithm and map, with the same seeds for all", minimum=10, maximum=100_000
     )
     ensemble_trials: int = parameter(
-        100, "trials per algorithm on each further map and under each other reading; 0 leaves both out",
+        200, "trials per algorithm on each further map; 0 leaves these out", minimum=0, maximum=100_000
+    )
+    reading_trials: int = parameter(
+        15, "trials per algorithm and map under each other reading of the paper; 0 leaves these out",
         minimum=0, maximum=100_000,
     )  # fmt: skip
     maps: tuple[str, ...] = parameter(
@@ -72,17 +77,21 @@ class Paper(Report):
         Raises:
             StrategyError: if a trial failed.
         """
+        began = time.monotonic()
         given = self.true_maps()
         maps = {env: given.get(env) or load_map(env) for env in ENVIRONMENTS}
-        experiment = Experiment(context, maps, frozenset(given), self.trials, self.ensemble_trials)
+        readings = min(self.reading_trials, self.trials, self.ensemble_trials or self.trials)  # the same seeds
+        experiment = Experiment(context, maps, frozenset(given), self.trials, self.ensemble_trials, readings)
         with shown_progress(experiment.size + trials_of_readings(experiment)) as show:
             found = Findings.of(replace(experiment, context=replace(context, show=show)), CLAIMS)
         with context.draft() as folder:
             _write_files(found, folder)
+            took = {"seconds": round(time.monotonic() - began, 1), "processors": os.cpu_count()}
+            (folder / "time.json").write_text(as_json(took), encoding="utf-8")
         return context.folder
 
     def headline(self, folder: Path) -> Sequence[Sequence[str]]:
-        """Return how many claims of each environment hold, and how many do not."""
+        """Return how many claims of each environment that its maps were not fitted to have each verdict."""
         written = json.loads((folder / "tables.json").read_text(encoding="utf-8"))
         counts = [[env, *(str(count_verdicts(written, env, v)) for v in VERDICTS)] for env in ENVIRONMENTS]
         return [["claims", *VERDICTS], *counts]
@@ -132,7 +141,8 @@ def _write_files(found: Findings, folder: Path) -> None:
     for name, table in tables_in(report).items():
         head = f"**{markdown_text(table.title)}** {markdown_text(table.note)}"
         texts[f"tables/{name}.md"] = f"{head}\n\n{markdown_table(table)}\n"
-        texts[f"tables/{name}.tex"] = as_latex([table])
+        texts[f"tables/{name}.tex"] = as_latex(table)
         texts[f"tables/{name}.csv"] = as_csv(table)
+    texts["tables/all.tex"] = as_document(tables_in(report))
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")

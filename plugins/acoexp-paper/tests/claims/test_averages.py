@@ -55,16 +55,22 @@ def test_an_average_stands_beside_ours_of_all_trials_and_of_the_first_ten(
     assert row.printed.value == 2.6
     assert row.ours == mean_of_ten([x1])
     assert row.first_ten == pytest.approx(x1[:10].mean())
-    further = [samples["pdg"].features["x1"] for samples in experiment.ensembles["fig13"]]
-    assert row.ensemble == mean_of_ten(further)
+    on_all = [samples["pdg"].features["x1"] for samples in experiment.samples["fig13"]]
+    assert row.over_maps == mean_of_ten(on_all)
 
 
-def test_of_env1_ours_is_that_over_the_ensemble(found: Findings, experiment: Experiment) -> None:
-    row = one(found, 3, "env1", "pf", "n_bar")
-    assert row.ours == row.ensemble != mean_of_ten([experiment.main["env1"]["pf"].features["x1"]])
-    alone = averages(experiment.main, {env: [] for env in experiment.maps})
-    assert all(row.ensemble is None and row.ensemble_inside is None for row in alone)
-    assert next(r.ours for r in alone if r.printed == row.printed) != row.ours
+def test_every_environment_is_treated_alike_its_own_map_first(found: Findings, experiment: Experiment) -> None:
+    row = one(found, 3, "env1", "pf", "n_c")
+    assert row.ours.value == pytest.approx(10 * experiment.main["env1"]["pf"].found.mean())
+    assert row.over_maps is not None
+    alone = averages({env: maps[:1] for env, maps in experiment.samples.items()})
+    assert all(row.over_maps is None and row.inside_over_maps is None for row in alone)
+    assert next(r.ours for r in alone if r.printed == row.printed) == row.ours
+
+
+def test_what_the_search_for_the_maps_looked_at_is_marked() -> None:
+    fitted = {(row.algorithm, row.column) for row in printed_averages() if row.fitted}
+    assert fitted == {("aco", column) for column in ("x1", "l1", "l2", "x3")}
 
 
 def test_success_is_counted_of_ten(found: Findings, experiment: Experiment) -> None:
@@ -76,9 +82,9 @@ def test_averages_are_met_by_samples_that_are_as_the_paper_prints_them() -> None
     printed = [row for row in printed_averages() if row.table == 1]
     of = {(row.algorithm, row.column): row.value for row in printed}
     samples = {algo: _constant(algo, of) for algo in ("aco", "pd", "pdg")}
-    assert averages_met({"fig13": samples}) == {(1, "fig13", algo): (5, 5) for algo in samples}
+    assert averages_met({"fig13": [samples]}) == {(1, "fig13", algo): (5, 5) for algo in samples}
     samples["pd"] = replace(samples["pd"], features={**samples["pd"].features, "x3": np.full(TRIALS, 99.0)})
-    assert averages_met({"fig13": samples})[1, "fig13", "pd"] == (4, 5)
+    assert averages_met({"fig13": [samples]})[1, "fig13", "pd"] == (4, 5)
 
 
 def _constant(algo: str, of: dict[tuple[str, str], float]) -> Sample:

@@ -1,95 +1,116 @@
-"""The summary, in words."""
+"""The summary, in words and in one table."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+import numpy as np
 import pytest
 from acoexp_paper.claims.comparisons import Fewer
 from acoexp_paper.claims.findings import Findings
-from acoexp_paper.claims.kinds import Claim, Finding, Kind
+from acoexp_paper.claims.kinds import Claim, Kind
+from acoexp_paper.claims.pooling import Effect, Over
 from acoexp_paper.claims.statements import CountIs
 from acoexp_paper.claims.verdicts import Judged
-from acoexp_paper.page.document import Bullets, Heading
+from acoexp_paper.page.document import Bullets, Numbers, Text
 from acoexp_paper.page.summary import summary
+from acoexp_paper.trials.readings import SUM_IN
 
 from acoexp.compare.statistics import Estimate
 
 LOST = Fewer("lost ants", "pd", "aco")
 
 
-def judged(verdict: str, kind: Kind = LOST, env: str = "fig13", says: tuple[int, ...] = ()) -> Judged:
-    finding = Finding("", 0.0, "A12", Estimate(0.9, 0.8, 1.0))
-    return Judged(Claim("", env, kind), finding, 0.0, verdict, None, says, verdict)
+def judged(verdict: str, kind: Kind = LOST, env: str = "fig13", fitted: bool = False) -> Judged:
+    over = Over(Estimate(0.9, 0.8, 1.0), None, np.nan, 0.05, 1.0, 1.0)
+    claim = Claim("", env, kind, fitted=fitted)
+    return Judged(claim, 0.7, (Effect(0.9, 0.01),), over, None, 0.0, 0.0, verdict, (True,))
 
 
 def said(found: Findings, claims: list[Judged]) -> list[str]:
-    """Return all that the summary says of claims, line by line."""
+    """Return all that the summary says, line by line."""
     lines = []
     for block in summary(found._replace(claims=claims, readings=[])):
-        lines += block.items if isinstance(block, Bullets) else [block.text]
+        lines += block.items if isinstance(block, Bullets) else [block.text] if isinstance(block, Text) else []
     return lines
 
 
 @pytest.mark.parametrize(
     ("verdicts", "counted"),
     [
-        (["holds"], "Of 1 claims of the paper, 1 holds. "),
-        (["holds", "opposite"], "Of 2 claims of the paper, 1 holds and 1 is turned into its opposite. "),
+        (["shown"], "Does the paper hold? Of 1 claims that the maps were not fitted to, 1 is shown."),
         (
-            ["holds", "does not hold", "does not hold", "depends on the map"],
-            "Of 4 claims of the paper, 1 holds, 2 do not hold and 1 depends on the map. ",
+            ["shown", "contradicted", "contradicted"],
+            "Of 3 claims that the maps were not fitted to, 1 is shown and 2 are contradicted.",
+        ),
+        (
+            ["shown", "compatible", "depends on the map", "undecided", "undecided"],
+            "Of 5 claims that the maps were not fitted to, 1 is shown, 1 is compatible, 1 depends on the map "
+            "and 2 stay undecided.",
         ),
     ],
 )
 def test_claims_are_counted_by_their_verdicts(found: Findings, verdicts: list[str], counted: str) -> None:
-    assert said(found, [judged(verdict) for verdict in verdicts])[0].startswith(counted)
+    assert said(found, [judged(verdict) for verdict in verdicts])[0].endswith(counted)
 
 
-def test_averages_are_counted_by_algorithm_without_the_other_reading_of_x2(found: Findings) -> None:
-    rows = [row for row in found.averages if row.printed.column != "x2_last"]
+def test_it_begins_with_how_well_the_maps_meet_what_they_were_fitted_to(found: Findings) -> None:
+    number = CountIs("found", "aco", 5)
+    fitted = [judged(verdict, number, fitted=True) for verdict in ("compatible", "contradicted")]
+    count, fit, *_ = said(found, [judged("shown"), *fitted])
+    assert "Of 1 claims" in count
+    assert f"fig13 {found.scores['fig13'][0]:.1f} (its 2 further maps" in fit
+    assert "env1" not in fit
+    assert "Of 2 claims about them, 1 is compatible" in fit
+
+
+def test_true_maps_have_no_fit_to_speak_of(found: Findings) -> None:
+    unknown = found._replace(scores={env: np.array([np.nan]) for env in found.scores})
+    assert not any("reconstructions, fitted" in line for line in said(unknown, [judged("shown")]))
+
+
+def test_what_came_of_two_algorithms_is_one_line_that_says_what_they_differ_in(found: Findings) -> None:
+    settles = judged("undecided", Fewer("x3", "pd", "aco"))
+    assert (
+        "ACO-PD against standard ACO (what diffusion adds): of 3 comparisons, 2 are shown and 1 stays undecided."
+    ) in said(found, [judged("shown"), judged("shown", env="env2"), settles])
+
+
+def test_printed_numbers_are_counted_in_a_line_of_their_own(found: Findings) -> None:
+    lines = said(found, [judged("contradicted", CountIs("found", "pd", 5)), judged("shown")])
+    assert "Of 1 printed means and counts, 1 is contradicted." in lines
+
+
+def test_averages_are_counted_by_algorithm_without_fitted_ones(found: Findings) -> None:
+    rows = [row for row in found.averages if row.printed.column != "x2_last" and not row.printed.fitted]
     of_pf = [row.inside for row in rows if row.printed.algorithm == "pf"]
-    text = said(found, [judged("holds")])[0]
-    assert f"Of 42 published averages, {sum(row.inside for row in rows)} lie where" in text
-    assert f"ACO-PF {sum(of_pf)} of 6)." in text
+    (text,) = (line for line in said(found, [judged("shown")]) if "published averages" in line)
+    assert f"Of 34 published averages that the maps were not fitted to, {sum(r.inside for r in rows)} lie" in text
+    assert f"ACO-PF {sum(of_pf)} of 6); where the map is drawn from ours, " in text
 
 
-def test_one_claim_about_several_maps_is_one_line(found: Findings) -> None:
-    lines = said(found, [judged("holds", says=(1, 1, -1)), judged("holds", env="env2", says=(1, 0, 0))])
-    assert (
-        "ACO-PD loses fewer ants than standard ACO: "
-        "fig13 A12 0.90 [0.80, 1.00], 2 of 3 further maps support it, 1 show the opposite; "
-        "env2 A12 0.90 [0.80, 1.00], 1 of 3 further maps support it."
-    ) in lines
+def test_the_most_influential_decision_is_named(found: Findings) -> None:
+    (nearest,) = found.readings
+    key = next(iter(nearest.claims))
+    source = nearest._replace(reading=SUM_IN, changed=(key,))
+    _, bullets, *_ = summary(found._replace(readings=[source, nearest]))
+    assert isinstance(bullets, Bullets)
+    text = bullets.items[-1]
+    assert f"another source changes 1 verdicts of {len(nearest.claims)} beyond chance (sum_in 1)." in text
+    assert "No other reading changes any." in text
+    more = summary(found._replace(readings=[source, nearest._replace(changed=(key,))]))[1].items[-1]
+    assert "Of the other readings, field.obstacles=nearest changes most verdicts, 1." in more
 
 
-def test_printed_numbers_are_gathered_in_a_line_of_their_own(found: Findings) -> None:
-    lines = said(found, [judged("does not hold", CountIs("found", "aco", 5))])
-    assert lines[1:3] == [
-        "What does not hold, or was not shown",
-        "Published numbers that ten of our trials would hardly have on most maps: "
-        "Standard ACO finds the optimum in 5 of ten trials (fig13 A12 0.90 [0.80, 1.00]).",
+def test_comparisons_alike_are_one_row_with_a_column_for_each_environment(found: Findings) -> None:
+    claims = [
+        judged("shown"),
+        judged("shown", Fewer("x3", "pdg", "pd")),
+        judged("undecided", env="env2"),
+        judged("compatible", CountIs("found", "pd", 5)),
     ]
-
-
-def test_readings_are_compared_by_the_averages_that_they_meet(found: Findings) -> None:
-    default, nearest = found.readings
-    once, never = [claim.claim.key for claim in found.claims if claim.claim.kind.compares][:2]
-    says = dict.fromkeys(default.says, 1) | {never: 0}
-    some = nearest._replace(fit={(1, "fig13", "aco"): (36, 36)}, says=says | {once: 0})
-    every = default._replace(says=says)
-    blocks = summary(found._replace(readings=[every, some]))
-    text = blocks[blocks.index(Heading("Other readings of the paper")) + 1].text
-    assert f"Of 2 readings of what the paper leaves open, the defaults meet {default.inside} of 36" in text
-    assert "and the best, field.obstacles=nearest, 36." in text
-    compared = sum(c.claim.kind.compares and c.claim.key in default.says for c in found.claims)
-    assert (
-        f"Of {compared} comparisons of algorithms there, {compared - 2} come out as published under every" in text
-    )
-    assert "1 under none, 1 under some." in text
-
-
-def test_it_rests_on_reconstructions_unless_all_true_maps_are_given(found: Findings) -> None:
-    assert "so fig13, env1, env2 are reconstructions" in summary(found)[-1].text
-    given = replace(found.experiment, given=frozenset(found.experiment.maps))
-    assert "reconstructions" not in summary(found._replace(experiment=given))[-1].text
+    *_, numbers, _ = summary(found._replace(claims=claims, readings=[]))
+    assert isinstance(numbers, Numbers)
+    assert numbers.table.headings == ["claim", "fig13", "env2"]
+    assert numbers.table.rows == [
+        ["ACO-PD loses fewer ants than standard ACO", "shown 0.90 (0.70)", "undecided 0.90 (0.70)"],
+        ["ACO-PDG settles (x3) earlier than ACO-PD", "shown 0.90 (0.70)", ""],
+    ]

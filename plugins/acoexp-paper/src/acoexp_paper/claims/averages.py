@@ -9,11 +9,15 @@ from acoexp.compare.sample import Sample
 from acoexp.compare.statistics import Estimate
 from acoexp_paper.claims.means import mean, mean_of_ten
 from acoexp_paper.published import tables
-from acoexp_paper.published.tables import ALGOS, COLUMNS, ENVIRONMENTS, TABLE_3, TABLES, TRIALS
+from acoexp_paper.published.tables import ALGOS, COLUMNS, TABLE_3, TABLES, TRIALS
 from acoexp_paper.trials.samples import X2_LAST, Samples, values_of
 
 _HALF_A_DIGIT = {"x1": 0.05, "x2": 0.05, X2_LAST: 0.05, "x3": 0.05, "n_bar": 0.05, "n_c": 0.0}
 _HALF_OF_LENGTHS = 0.00005
+
+
+Fit = dict[tuple[int, str, str], tuple[int, int]]
+"""By table, map and algorithm, how many published averages lie inside, of how many."""
 
 
 class Printed(NamedTuple):
@@ -38,6 +42,11 @@ class Printed(NamedTuple):
         """What a mean over trials is multiplied by; n_c is a count of ten."""
         return TRIALS if self.column == "n_c" else 1
 
+    @property
+    def fitted(self) -> bool:
+        """Whether the search for the maps looked at it: x1, x3 and the lengths of standard ACO."""
+        return self.algorithm == "aco" and self.column in ("x1", "l1", "l2", "x3")
+
     def lies_in(self, interval: Estimate) -> bool:
         """Return whether it lies in an interval, to the digits that are printed."""
         slack = _HALF_A_DIGIT.get(self.column, _HALF_OF_LENGTHS) + 1e-9
@@ -53,44 +62,40 @@ class Average(NamedTuple):
 
     Attributes:
         printed: What the paper prints.
-        first_ten: That of our seeds 0 to 9.
-        ours: That of all our trials, with the interval of means of ten; of env1 that over its ensemble.
-        ensemble: The same over the ensemble; None where there is none.
+        first_ten: That of our seeds 0 to 9 on the environment's own map.
+        ours: That of all trials on it, with the interval of means of ten.
+        over_maps: The same where the map is drawn from all of the environment's; None where there is one.
     """
 
     printed: Printed
     first_ten: float
     ours: Estimate
-    ensemble: Estimate | None
+    over_maps: Estimate | None
 
     @property
     def inside(self) -> bool:
-        """Whether the published average lies in the interval on the environment's map."""
+        """Whether the published average lies in the interval on the environment's own map."""
         return self.printed.lies_in(self.ours)
 
     @property
-    def ensemble_inside(self) -> bool | None:
-        """Whether it lies in that over the ensemble; None where there is none."""
-        return None if self.ensemble is None else self.printed.lies_in(self.ensemble)
+    def inside_over_maps(self) -> bool | None:
+        """Whether it lies in that over all maps; None where there is one."""
+        return None if self.over_maps is None else self.printed.lies_in(self.over_maps)
 
 
-def averages(main: Mapping[str, Samples], ensembles: Mapping[str, Sequence[Samples]]) -> list[Average]:
+def averages(maps: Mapping[str, Sequence[Samples]]) -> list[Average]:
     """Return all averages of Tables 1, 2 and 3 beside ours.
 
     Args:
-        main: The samples on each environment's map.
-        ensembles: Those on each of its further maps.
+        maps: The samples on each map of each environment, its own map first.
     """
-    return [_beside(printed, main[printed.map], ensembles[printed.map]) for printed in printed_averages()]
+    return [_beside(printed, [s[printed.algorithm] for s in maps[printed.map]]) for printed in printed_averages()]
 
 
-def _beside(printed: Printed, samples: Samples, ensemble: Sequence[Samples]) -> Average:
-    sample = samples[printed.algorithm]
-    first_ten = mean(values_of(sample, printed.column)[:TRIALS]) * printed.scale
-    over_maps = printed.ours([further[printed.algorithm] for further in ensemble]) if ensemble else None
-    if over_maps is not None and ENVIRONMENTS[printed.map].only_optimum:
-        return Average(printed, first_ten, over_maps, over_maps)
-    return Average(printed, first_ten, printed.ours([sample]), over_maps)
+def _beside(printed: Printed, samples: Sequence[Sample]) -> Average:
+    first_ten = mean(values_of(samples[0], printed.column)[:TRIALS]) * printed.scale
+    over_maps = printed.ours(samples) if len(samples) > 1 else None
+    return Average(printed, first_ten, printed.ours(samples[:1]), over_maps)
 
 
 def printed_averages() -> Iterator[Printed]:
@@ -106,16 +111,17 @@ def printed_averages() -> Iterator[Printed]:
                 yield Printed(3, env, algo, column, tables.performance(env, algo, column))
 
 
-def averages_met(main: Mapping[str, Samples]) -> dict[tuple[int, str, str], tuple[int, int]]:
-    """Return by table, map and algorithm how many published averages the samples meet, of how many.
+def averages_met(maps: Mapping[str, Sequence[Samples]]) -> Fit:
+    """Return how many published averages lie inside over all maps.
 
     Args:
-        main: The samples on some environments' maps.
+        maps: The samples on each map of some environments, of some algorithms.
     """
-    counts: dict[tuple[int, str, str], tuple[int, int]] = {}
+    counts: Fit = {}
     for printed in printed_averages():
-        if printed.map in main and printed.column != X2_LAST:
-            inside = printed.lies_in(printed.ours([main[printed.map][printed.algorithm]]))
+        there = maps.get(printed.map)
+        if there and printed.algorithm in there[0] and printed.column != X2_LAST:
+            inside = printed.lies_in(printed.ours([samples[printed.algorithm] for samples in there]))
             met, of = counts.get(printed[:3], (0, 0))
             counts[printed[:3]] = (met + inside, of + 1)
     return counts

@@ -1,4 +1,4 @@
-"""Claims that compare two algorithms, on the same seeds and so in pairs."""
+"""Claims that compare two algorithms, on the same seeds and so in pairs; each has to be shown."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-import scipy  # scipy.stats is imported when first used
 
-from acoexp.compare import statistics
-from acoexp.compare.statistics import SIGNIFICANCE, Flags, Values
-from acoexp_paper.claims.kinds import Finding, Kind, mean_over
+from acoexp.compare.statistics import SIGNIFICANCE, Flags, Values, a12
+from acoexp_paper.claims.kinds import Kind
+from acoexp_paper.claims.pooling import Effect, Over, effect_of
+from acoexp_paper.claims.words import CONTRADICTED, DEPENDS, SHOWN, UNDECIDED
+from acoexp_paper.published.rows import PRINTED_EVENTS, PRINTED_MEASURES
 from acoexp_paper.published.tables import NAMES
 from acoexp_paper.trials.samples import EVENTS, MEASURES, Samples
 
@@ -38,14 +39,37 @@ class Comparison(Kind):
         """Both."""
         return self.a, self.b
 
-    def says(self, p: float, effect: float) -> int:
-        """By the side on which the effect lies, if the difference is significant."""
-        return int(np.sign(effect - self.neutral)) if p < SIGNIFICANCE else 0
+    def p(self, maps: Sequence[Samples], over: Over) -> float:
+        """That of no effect on the maps' mean."""
+        return over.p_against(self.neutral)
+
+    def on_side(self, maps: Sequence[Samples], effects: Sequence[Effect]) -> tuple[bool, ...]:
+        """Those on which ``a`` does better."""
+        return tuple(effect.value > self.neutral for effect in effects)
+
+    def verdict(self, maps: Sequence[Samples], over: Over, p: float) -> str:
+        """That of :func:`verdict_of`."""
+        return verdict_of(over, self.neutral, p)
+
+
+def verdict_of(over: Over, neutral: float, p: float) -> str:
+    """Return the verdict of an effect over maps.
+
+    It depends on the map if the maps differ and the next one's effect may lie on either side; otherwise it is
+    shown, or contradicted, by the side of a mean that is significant.
+    """
+    if over.differ and over.next is not None and over.next[0] < neutral < over.next[1]:
+        return DEPENDS
+    if p < SIGNIFICANCE:
+        return SHOWN if over.mean.value > neutral else CONTRADICTED
+    return UNDECIDED
 
 
 class Fewer(Comparison):
     """Trials of ``a`` have a smaller value than those of ``b``."""
 
+    measure = "A12"
+    bounds = (0.0, 1.0)
     neutral = 0.5
 
     @property
@@ -53,63 +77,59 @@ class Fewer(Comparison):
         """Such as "ACO-PD loses fewer ants than standard ACO"."""
         return f"{NAMES[self.a]} {MEASURES[self.what].smaller} than {NAMES[self.b]}"
 
-    def test(self, samples: Samples) -> Finding:
-        """The exact sign test of the pairs, and A12 with its bootstrap interval."""
-        a, b = self._values(samples)
-        statistic = f"sign test, {int((a < b).sum())} of {a.size} pairs smaller, {int((a > b).sum())} larger"
-        return Finding(statistic, statistics.sign_test(a, b), "A12", statistics.superiority(a, b))
-
-    def test_over(self, maps: Sequence[Samples]) -> Finding:
-        """Wilcoxon's signed-rank test of A12 over maps, and its mean."""
-        effects = np.array([self.p_and_effect(samples)[1] for samples in maps])
-        statistic = f"signed-rank test of A12 over {len(maps)} maps"
-        return Finding(statistic, _signed_rank(effects - self.neutral), "mean A12", mean_over(effects))
-
-    def p_and_effect(self, samples: Samples) -> tuple[float, float]:
-        """The same test, and A12 from Mann and Whitney's U."""
-        a, b = self._values(samples)
-        wins = scipy.stats.mannwhitneyu(b, a, method="asymptotic").statistic
-        return statistics.sign_test(a, b), float(wins) / (a.size * b.size)
-
-    def _values(self, samples: Samples) -> tuple[Values, Values]:
+    def effect(self, samples: Samples) -> Effect:
+        """A12."""
         values = MEASURES[self.what].values
-        return values(samples[self.a]), values(samples[self.b])
+        return superiority(values(samples[self.a]), values(samples[self.b]))
+
+    def published(self, env: str) -> float | None:
+        """A12 of the printed rows."""
+        printed = [PRINTED_MEASURES[self.what](env, algo) for algo in self.algos if self.what in PRINTED_MEASURES]
+        a, b = printed or (None, None)
+        return None if a is None or b is None else float(a12(a, b))
+
+
+def superiority(a: Values, b: Values) -> Effect:
+    """Return A12 of paired trials with its variance (DeLong, DeLong, Clarke-Pearson 1988).
+
+    Args:
+        a: Measurements of which smaller ones are better, float[n].
+        b: Those of the other algorithm with the same seeds, float[n].
+    """
+    a_wins, b_loses = _share_behind(a, b), 1.0 - _share_behind(b, a)
+    return effect_of(a_wins + b_loses - a_wins.mean(), width=1.0)
+
+
+def _share_behind(values: Values, others: Values) -> Values:
+    """Return what share of the others each value is smaller than, ties counted half, float[n]."""
+    in_order = np.sort(others)
+    up_to, below = (np.searchsorted(in_order, values, side) for side in ("right", "left"))
+    return 1.0 - (up_to + below) / (2.0 * others.size)
 
 
 class MoreOften(Comparison):
     """Something happens in more trials of ``a`` than of ``b``."""
 
-    neutral = 1.0
+    measure = "difference in shares"
+    bounds = (-1.0, 1.0)
+    neutral = 0.0
 
     @property
     def text(self) -> str:
         """Such as "ACO-PD finds the optimum more often than standard ACO"."""
         return f"{NAMES[self.a]} {EVENTS[self.what].words} more often than {NAMES[self.b]}"
 
-    def test(self, samples: Samples) -> Finding:
-        """McNemar's exact test, and the odds ratio that belongs to it."""
-        a, b = self._flags(samples)
-        statistic = f"McNemar, {a.mean():.1%} against {b.mean():.1%} of {a.size} trials"
-        return Finding(statistic, statistics.sign_test(a, b), "odds ratio", statistics.odds_ratio(a, b))
-
-    def test_over(self, maps: Sequence[Samples]) -> Finding:
-        """Wilcoxon's signed-rank test of the difference in shares over maps, and its mean."""
-        shares = np.array([[flags.mean() for flags in self._flags(samples)] for samples in maps])
-        difference = shares[:, 0] - shares[:, 1]
-        statistic = f"signed-rank test of the shares' difference over {len(maps)} maps"
-        return Finding(statistic, _signed_rank(difference), "mean difference of shares", mean_over(difference))
-
-    def p_and_effect(self, samples: Samples) -> tuple[float, float]:
-        """The same test, and the odds ratio."""
-        a, b = self._flags(samples)
-        only_a, only_b = int((a & ~b).sum()), int((b & ~a).sum())
-        return statistics.sign_test(a, b), only_a / only_b if only_b else np.inf if only_a else 1.0
-
-    def _flags(self, samples: Samples) -> tuple[Flags, Flags]:
+    def effect(self, samples: Samples) -> Effect:
+        """The share of ``a``'s trials without that of ``b``'s."""
         flags = EVENTS[self.what].flags
-        return flags(samples[self.a]), flags(samples[self.b])
+        return difference(flags(samples[self.a]), flags(samples[self.b]))
+
+    def published(self, env: str) -> float | None:
+        """The difference of the printed shares."""
+        a, b = (PRINTED_EVENTS[self.what](env, algo) for algo in self.algos)
+        return None if a is None or b is None else float(a.mean() - b.mean())
 
 
-def _signed_rank(effects: Values) -> float:
-    """Return p of Wilcoxon's test that effects, one per map, lie around 0; 1 if all are 0."""
-    return float(scipy.stats.wilcoxon(effects).pvalue) if effects.any() else 1.0
+def difference(a: Flags, b: Flags) -> Effect:
+    """Return the difference in shares of paired trials with its variance."""
+    return effect_of(a.astype(float) - b.astype(float), width=2.0)

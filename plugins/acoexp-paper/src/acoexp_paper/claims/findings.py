@@ -2,44 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from acoexp_paper.claims.averages import Average, averages, averages_met
+from acoexp.compare.statistics import Values
+from acoexp_paper.claims.averages import Average, Fit, averages, averages_met
 from acoexp_paper.claims.kinds import Claim
-from acoexp_paper.claims.verdicts import Judged, judge, says_of_samples
+from acoexp_paper.claims.likelihood import scores, weights
+from acoexp_paper.claims.rereading import Outcome, outcome, with_changes
+from acoexp_paper.claims.verdicts import Judged, judge
+from acoexp_paper.published.tables import ALGOS
 from acoexp_paper.trials.experiment import Experiment
-from acoexp_paper.trials.readings import Reading, samples_of_readings
+from acoexp_paper.trials.readings import ENVS, samples_of_readings
 from acoexp_paper.trials.samples import Samples
-
-
-class Outcome(NamedTuple):
-    """What a reading leads to.
-
-    Attributes:
-        reading: The reading.
-        fit: By table, map and algorithm, how many published averages lie inside, of how many.
-        says: By claim, 1 if it holds, -1 if the opposite does, 0 if neither.
-    """
-
-    reading: Reading
-    fit: dict[tuple[int, str, str], tuple[int, int]]
-    says: dict[str, int]
-
-    @classmethod
-    def of(cls, reading: Reading, claims: Sequence[Claim], samples: Mapping[str, Samples]) -> Outcome:
-        """Judge a reading by its samples on each environment's map."""
-        return cls(reading, averages_met(samples), says_of_samples(claims, samples))
-
-    @property
-    def inside(self) -> int:
-        """How many published averages lie inside."""
-        return sum(inside for inside, _ in self.fit.values())
-
-    @property
-    def averages(self) -> int:
-        """Of how many."""
-        return sum(of for _, of in self.fit.values())
 
 
 class Findings(NamedTuple):
@@ -47,23 +22,46 @@ class Findings(NamedTuple):
 
     Attributes:
         experiment: The trials.
+        scores: The log-likelihood of each map of each environment, its own map first, float[maps].
         averages: The averages of Tables 1 to 3.
         claims: The claims.
-        readings: What each reading of the paper leads to; empty if they were left out.
+        met: By table, map and algorithm, how many published averages lie inside over all maps, of how many;
+            without
+            ACO-PF, with which other readings are not run.
+        readings: What each other reading of the paper leads to; empty if they were left out.
     """
 
     experiment: Experiment
+    scores: dict[str, Values]
     averages: list[Average]
     claims: list[Judged]
+    met: Fit
     readings: list[Outcome]
 
     @classmethod
     def of(cls, experiment: Experiment, claims: Sequence[Claim]) -> Findings:
         """Run what is missing, and look at all of it."""
-        readings = samples_of_readings(experiment) if experiment.ensemble_trials else []
+        maps = {env: experiment.maps_of(env) for env in experiment.maps}
+        judged = judge(claims, experiment.samples, {env: weights(grids) for env, grids in maps.items()})
+        outcomes = [
+            outcome(reading, claims, samples, default)
+            for reading, samples, default in (samples_of_readings(experiment) if experiment.reading_trials else ())
+        ]
         return cls(
             experiment,
-            averages(experiment.main, experiment.ensembles),
-            judge(claims, experiment.main, experiment.ensembles),
-            [Outcome.of(reading, claims, samples) for reading, samples in readings],
+            {env: scores(grids) for env, grids in maps.items()},
+            averages(experiment.samples),
+            judged,
+            averages_met({env: [_without_pf(samples) for samples in experiment.samples[env]] for env in ENVS}),
+            with_changes(outcomes, {one.claim.key: one.verdict for one in judged}),
         )
+
+    @property
+    def counted(self) -> list[Judged]:
+        """The claims that the maps were not fitted to."""
+        return [one for one in self.claims if not one.claim.fitted]
+
+
+def _without_pf(samples: Samples) -> Samples:
+    """Return what other readings of the paper are run with."""
+    return {algo: samples[algo] for algo in ALGOS}

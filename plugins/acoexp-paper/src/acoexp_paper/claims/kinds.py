@@ -1,9 +1,4 @@
-"""What a claim is, and a kind of claims: the test that fits it, and what the test's outcome says of the claim.
-
-Two algorithms are compared on the same seeds, hence in pairs. Such a claim has to be shown: its null hypothesis is
-that there is no difference. A claim about one algorithm alone is its own null hypothesis, and has to be rejected;
-correction for many tests would favour it, so it is judged without.
-"""
+"""What a claim is, and a kind of claims: the effect on one map that it is about, and what all maps say of it."""
 
 from __future__ import annotations
 
@@ -11,37 +6,22 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import ClassVar, NamedTuple
 
-import numpy as np
-import scipy  # scipy.stats is imported when first used
-
-from acoexp.compare.statistics import LEVEL, RESAMPLES, Estimate, Values
+from acoexp_paper.claims.pooling import Effect, Over
 from acoexp_paper.trials.samples import Samples
-
-
-class Finding(NamedTuple):
-    """What a test found.
-
-    Attributes:
-        statistic: The test's name, with its numbers.
-        p: Its p value, two-sided unless the statistic says otherwise.
-        measure: What the effect is: ``A12`` and so on.
-        effect: Its size with its interval.
-    """
-
-    statistic: str
-    p: float
-    measure: str
-    effect: Estimate
 
 
 class Kind(ABC):
     """One kind of claim.
 
     Attributes:
-        compares: Whether it has to be shown, and its p value corrected.
+        compares: Whether it has to be shown, and its p value corrected; otherwise it is its own null hypothesis.
+        measure: What the effect is: ``A12`` and so on.
+        bounds: Between which effects lie.
     """
 
     compares: ClassVar[bool]
+    measure: str
+    bounds: tuple[float, float]
 
     @property
     @abstractmethod
@@ -54,20 +34,30 @@ class Kind(ABC):
         """The claim in words."""
 
     @abstractmethod
-    def test(self, samples: Samples) -> Finding:
-        """Test the claim on one map."""
+    def effect(self, samples: Samples) -> Effect:
+        """Return the effect on one map, and its noise."""
 
     @abstractmethod
-    def test_over(self, maps: Sequence[Samples]) -> Finding:
-        """Test the claim over many maps, each of which counts once."""
+    def p(self, maps: Sequence[Samples], over: Over) -> float:
+        """Return the p value of the claim's null hypothesis over maps, of which ``over`` is the pooled effect."""
 
     @abstractmethod
-    def p_and_effect(self, samples: Samples) -> tuple[float, float]:
-        """Return both numbers of the test on one map, without the interval, which takes most of its time."""
+    def on_side(self, maps: Sequence[Samples], effects: Sequence[Effect]) -> tuple[bool, ...]:
+        """Return whether each map is on the paper's side, by its samples or its effect."""
 
     @abstractmethod
-    def says(self, p: float, effect: float) -> int:
-        """Return 1 if this supports the claim, -1 if it shows the opposite, 0 if neither."""
+    def verdict(self, maps: Sequence[Samples], over: Over, p: float) -> str:
+        """Return the verdict.
+
+        Args:
+            maps: The samples on each map.
+            over: Their pooled effect.
+            p: The p value, corrected if the claim compares.
+        """
+
+    @abstractmethod
+    def published(self, env: str) -> float | None:
+        """Return the effect in the paper's own ten trials; None where it prints none."""
 
 
 class Claim(NamedTuple):
@@ -78,7 +68,7 @@ class Claim(NamedTuple):
         map: The environment it is about.
         kind: What it says, and how that is tested.
         remark: What the paper says besides.
-        fitted: Whether the search for the maps looked at these numbers; then that it holds says little.
+        fitted: Whether the search for the maps looked at these numbers; then it is not counted.
     """
 
     where: str
@@ -97,14 +87,3 @@ class Claim(NamedTuple):
     def key(self) -> str:
         """The claim in words, with its map; no other has the same."""
         return f"{self.map}: {self.text}"
-
-
-def mean_over(effects: Values) -> Estimate:
-    """Return the mean of one number per map, with its bootstrap interval over maps."""
-    if effects.size < 2 or np.ptp(effects) == 0.0:
-        return Estimate(float(effects.mean()), float(effects.min()), float(effects.max()))
-    interval = scipy.stats.bootstrap(
-        (effects,), np.mean, n_resamples=RESAMPLES, confidence_level=LEVEL,
-        method="percentile", random_state=np.random.default_rng(0),
-    ).confidence_interval  # fmt: skip
-    return Estimate(float(effects.mean()), float(interval.low), float(interval.high))

@@ -1,4 +1,8 @@
-"""Claims about one algorithm: a printed mean, a printed count, or something that is said of every trial."""
+"""Claims about one algorithm: a printed mean, or how many of the paper's ten trials did something.
+
+Such a claim is its own null hypothesis, and has to be rejected; correction for many tests would favour it, so it
+is judged without.
+"""
 
 from __future__ import annotations
 
@@ -7,30 +11,31 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy  # scipy.stats is imported when first used
 
-from acoexp.compare import statistics
-from acoexp.compare.statistics import SIGNIFICANCE, Flags
-from acoexp_paper.claims.kinds import Finding, Kind, mean_over
-from acoexp_paper.claims.means import mean_of_ten, rarity
+from acoexp.compare.statistics import SIGNIFICANCE, Values
+from acoexp_paper.claims.kinds import Kind
+from acoexp_paper.claims.means import rarity
+from acoexp_paper.claims.pooling import Effect, Over, effect_of
+from acoexp_paper.claims.words import COMPATIBLE, CONTRADICTED, DEPENDS
 from acoexp_paper.published.tables import NAMES, TRIALS
 from acoexp_paper.trials.samples import EVENTS, Samples, values_of
 
-PRACTICALLY_ALL = 0.99
-"""The share of trials from which on "every trial" is taken to hold."""
+_ON_SOME, _ON_MOST = 0.1, 0.9
 
 
 @dataclass(frozen=True)
 class Statement(Kind):
-    """Something is said of the trials of one algorithm.
+    """The paper prints a number: of ten trials of one algorithm.
 
     Attributes:
-        what: The column or event that it is said of, by name.
+        what: The column or event that it is of, by name.
         algo: The algorithm.
+        printed: The number.
     """
 
     what: str
     algo: str
+    printed: float
     compares = False
 
     @property
@@ -38,113 +43,91 @@ class Statement(Kind):
         """The one."""
         return (self.algo,)
 
-    def says(self, p: float, effect: float) -> int:
-        """That it stands, unless it is rejected."""
-        return int(p >= SIGNIFICANCE)
+    @abstractmethod
+    def values(self, samples: Samples) -> Values:
+        """Return the values of our trials whose mean of ten is printed, float[n]; nan where there is none."""
+
+    def p(self, maps: Sequence[Samples], over: Over) -> float:
+        """How often the mean of ten of our trials, on a map that is drawn too, lies as far off as the printed."""
+        return rarity([self.values(samples) for samples in maps], self.printed)
+
+    def verdict(self, maps: Sequence[Samples], over: Over, p: float) -> str:
+        """That of :func:`verdict_of_number`."""
+        return verdict_of_number(over, p, self.on_side(maps, ()))
+
+    def on_side(self, maps: Sequence[Samples], effects: Sequence[Effect]) -> tuple[bool, ...]:
+        """Those on which ten trials may well have the printed number."""
+        return compatible_on([self.values(samples) for samples in maps], self.printed)
+
+    def published(self, env: str) -> float:
+        """The printed number."""
+        return self.printed
+
+
+def compatible_on(maps: Sequence[Values], printed: float) -> tuple[bool, ...]:
+    """Return whether ten trials on each map may well have the printed number, by the values of its trials."""
+    return tuple(rarity([values], printed) >= SIGNIFICANCE for values in maps)
+
+
+def verdict_of_number(over: Over, p: float, compatible: Sequence[bool]) -> str:
+    """Return the verdict of a printed number.
+
+    It depends on the map if the maps differ, and some would have the number and others hardly.
+
+    Args:
+        over: The effect over maps.
+        p: How rare the printed number is.
+        compatible: Whether ten trials on each map may well have it.
+    """
+    if over.differ and _ON_SOME <= float(np.mean(compatible)) <= _ON_MOST:
+        return DEPENDS
+    return COMPATIBLE if p >= SIGNIFICANCE else CONTRADICTED
 
 
 @dataclass(frozen=True)
 class MeanIs(Statement):
     """The mean of a column over ten trials is what the paper prints."""
 
-    printed: float
+    measure = "mean"
+    bounds = (0.0, np.inf)
 
     @property
     def text(self) -> str:
         """Such as "ACO-PDG needs 2.6 iterations on average"."""
         return f"{NAMES[self.algo]} needs {self.printed:g} iterations on average"
 
-    def test(self, samples: Samples) -> Finding:
-        """How often the mean of ten of our trials lies as far from ours as the printed one does."""
-        return self.test_over([samples])
+    def values(self, samples: Samples) -> Values:
+        """The column."""
+        return values_of(samples[self.algo], self.what)
 
-    def test_over(self, maps: Sequence[Samples]) -> Finding:
-        """The same, the map being drawn too."""
-        values = [values_of(samples[self.algo], self.what) for samples in maps]
-        statistic = f"Monte Carlo test of ten trials' mean, printed {self.printed:g}"
-        return Finding(statistic, rarity(values, self.printed), "mean", mean_of_ten(values))
-
-    def p_and_effect(self, samples: Samples) -> tuple[float, float]:
-        """p, and our mean."""
-        finding = self.test(samples)
-        return finding.p, finding.effect.value
+    def effect(self, samples: Samples) -> Effect:
+        """Our mean."""
+        return mean_effect(self.values(samples))
 
 
-@dataclass(frozen=True)
-class Frequency(Statement):
-    """Something happens in so many trials."""
-
-    def test(self, samples: Samples) -> Finding:
-        """The test of our trials, and the share of them with Wilson's interval."""
-        flags = self._flags(samples)
-        statistic = f"{self._test}, {self._counts(flags)}"
-        return Finding(statistic, self._p(flags), "share of trials", statistics.success_rate(flags))
-
-    def test_over(self, maps: Sequence[Samples]) -> Finding:
-        """The same with the trials of all maps together; the interval is over maps."""
-        flags = [self._flags(samples) for samples in maps]
-        shares = mean_over(np.array([f.mean() for f in flags]))
-        statistic = f"{self._test} over {len(maps)} maps"
-        return Finding(statistic, self._p(np.concatenate(flags)), "mean share of trials", shares)
-
-    def p_and_effect(self, samples: Samples) -> tuple[float, float]:
-        """p, and our share."""
-        flags = self._flags(samples)
-        return self._p(flags), float(flags.mean())
-
-    def _flags(self, samples: Samples) -> Flags:
-        return EVENTS[self.what].flags(samples[self.algo])
-
-    @property
-    @abstractmethod
-    def _test(self) -> str:
-        """The name of the test."""
-
-    @abstractmethod
-    def _counts(self, flags: Flags) -> str:
-        """Return what is counted, in words."""
-
-    @abstractmethod
-    def _p(self, flags: Flags) -> float:
-        """Return the p value of the statement."""
+def mean_effect(values: Values) -> Effect:
+    """Return the mean of what is not nan with its variance; nan of less than two."""
+    known = values[~np.isnan(values)]
+    return effect_of(known, width=1.0) if known.size > 1 else Effect(np.nan, np.nan)
 
 
 @dataclass(frozen=True)
-class CountIs(Frequency):
-    """Something happened in so many of the paper's ten trials: Fisher's exact test of these against ours."""
+class CountIs(Statement):
+    """Something happened in so many of the paper's ten trials."""
 
-    printed: int
-    _test = "Fisher's exact test"
+    measure = "of ten trials"
+    bounds = (0.0, float(TRIALS))
 
     @property
     def text(self) -> str:
-        """Such as "ACO-PD finds the optimum in 8 of ten trials"."""
-        return f"{NAMES[self.algo]} {EVENTS[self.what].words} in {self.printed} of ten trials"
+        """Such as "ACO-PD finds the optimum in 8 of ten trials", or in every trial."""
+        how_often = "every trial" if self.printed == TRIALS else f"{self.printed:g} of ten trials"
+        return f"{NAMES[self.algo]} {EVENTS[self.what].words} in {how_often}"
 
-    def _counts(self, flags: Flags) -> str:
-        return f"{self.printed} of {TRIALS} printed, {int(flags.sum())} of {flags.size} ours"
+    def values(self, samples: Samples) -> Values:
+        """Ten where it happens, so that a mean of ten is a count of ten."""
+        return EVENTS[self.what].flags(samples[self.algo]).astype(np.float64) * TRIALS
 
-    def _p(self, flags: Flags) -> float:
-        ours = int(flags.sum())
-        counts = [[self.printed, TRIALS - self.printed], [ours, flags.size - ours]]
-        return float(scipy.stats.fisher_exact(counts).pvalue)
-
-
-@dataclass(frozen=True)
-class Every(Frequency):
-    """Something happens in every trial: the one-sided binomial test of a share of at least 99 %."""
-
-    _test = f"binomial test of at least {PRACTICALLY_ALL:.0%}"
-
-    @property
-    def text(self) -> str:
-        """Such as "ACO-PDG finds the optimum in every trial"."""
-        return f"{NAMES[self.algo]} {EVENTS[self.what].words} in every trial"
-
-    def _counts(self, flags: Flags) -> str:
-        return f"{int(flags.sum())} of {flags.size}"
-
-    def _p(self, flags: Flags) -> float:
-        return float(
-            scipy.stats.binomtest(int(flags.sum()), flags.size, PRACTICALLY_ALL, alternative="less").pvalue
-        )
+    def effect(self, samples: Samples) -> Effect:
+        """Ours of ten."""
+        return effect_of(self.values(samples), width=float(TRIALS))

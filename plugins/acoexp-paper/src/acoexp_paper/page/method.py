@@ -1,52 +1,31 @@
-"""The sections on what the numbers rest on: the maps and the method, and the audit of the paper's own numbers."""
+"""The sections on what the numbers rest on: the method, and the audit of the paper's own numbers."""
 
 from __future__ import annotations
 
-from acoexp.grid.grid import Grid
 from acoexp.report.table import Table
 from acoexp_paper.page.document import Block, Bullets, Heading, Numbers, Text
 from acoexp_paper.page.formats import number
 from acoexp_paper.published.audit import EQUATIONS, Recomputed, contradictions, impossible_rows, recomputed
-from acoexp_paper.published.tables import ENVIRONMENTS, TITLES
+from acoexp_paper.published.tables import TITLES
 from acoexp_paper.trials.experiment import Experiment
 
 
 def method(experiment: Experiment) -> list[Block]:
-    """Return the settings and the maps."""
-    headings = ["map", "environment", "source", "diagonals", "exact optimum", "digest", "further maps"]
-    note = "The exact optimum is by Dijkstra's algorithm; further maps are those of the ensemble."
-    rows = [_map(experiment, env, grid) for env, grid in experiment.maps.items()]
-    fits = [f"{env}: {grid.metadata['fit']}" for env, grid in experiment.maps.items() if "fit" in grid.metadata]
-    blocks: list[Block] = [Text(_settings(experiment)), Numbers("maps", Table("Maps.", note, headings, rows))]
-    return [*blocks, Bullets(fits)] if fits else blocks
-
-
-def _settings(experiment: Experiment) -> str:
+    """Return the settings, in words."""
     settings = experiment.settings("pdg", {}).scalars
-    return (
-        f"alpha = {settings.alpha:g}, beta = {settings.beta:g}, rho = {settings.rho:g}, {settings.ants} ants, "
-        f"{settings.iterations} cycles, Q = {settings.q:g}, tau0 = {settings.tau0:g}. Further maps and other "
-        f"readings: {experiment.ensemble_trials} trials each. Tests are scipy's; intervals are at 95 %; "
-        "resampling has a fixed seed, so the same command writes the same tables."
-    )
-
-
-def _map(experiment: Experiment, env: str, grid: Grid) -> list[str]:
     return [
-        env,
-        ENVIRONMENTS[env].title,
-        "given" if env in experiment.given else "reconstruction",
-        grid.moves,
-        f"{grid.optimum:.4f}",
-        grid.digest,
-        str(len(experiment.further_maps(env))),
+        Text(
+            f"alpha = {settings.alpha:g}, beta = {settings.beta:g}, rho = {settings.rho:g}, {settings.ants} ants, "
+            f"{settings.iterations} cycles, Q = {settings.q:g}, tau0 = {settings.tau0:g}. Tests are "
+            "scipy's; intervals are at 95 %; resampling has a fixed seed."
+        )
     ]
 
 
 def audit() -> list[Block]:
     """Return what the paper's own tables, text and equations contradict."""
     note = "Averages as printed, of the rows as printed, and of the rows with their misprints mended."
-    headings = ["table", "algorithm", "column", "printed", "of the rows", "of the mended rows", ""]
+    headings = ["table", "algorithm", "column", "printed", "of the rows", "of the mended rows", "as printed"]
     rows = [_recomputed(row) for row in recomputed()]
     return [
         Numbers("audit", Table("The paper's averages, recomputed.", note, headings, rows)),

@@ -5,17 +5,32 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from html import escape
 from importlib.resources import files
 
 from acoexp.report.render import html_table, markdown_table, markdown_text
 from acoexp.report.table import Table
-from acoexp_paper.claims.verdicts import DEPENDS, FAILS, HOLDS, OPPOSITE
-from acoexp_paper.page.document import Block, Bullets, Document, Figure, Heading, Numbers, Section, Text
+from acoexp_paper.claims.words import COMPATIBLE, CONTRADICTED, DEPENDS, SHOWN, UNDECIDED
+from acoexp_paper.page.document import (
+    Block,
+    Bullets,
+    Document,
+    Figure,
+    Heading,
+    Numbers,
+    References,
+    Section,
+    Source,
+    Text,
+    titles_in,
+)
 
 _STYLE = files("acoexp_paper.page").joinpath("style.css").read_text(encoding="utf-8")
-_CLASSES = {HOLDS: "yes", "yes": "yes", FAILS: "no", "no": "no", OPPOSITE: "against", DEPENDS: "mixed"}
+_CLASSES = {
+    SHOWN: "yes", COMPATIBLE: "yes", "yes": "yes", UNDECIDED: "no", "no": "no", CONTRADICTED: "against", DEPENDS:
+        "mixed",
+}  # fmt: skip
 """The style of a table's entry, by its text."""
 
 
@@ -35,12 +50,19 @@ def _markdown(block: Block) -> str:
             return f"### {markdown_text(text)}"
         case Bullets(items):
             return "\n".join(f"- {markdown_text(item)}" for item in items)
+        case References(items):
+            return "\n".join(f"{place}. {_cited(item)}" for place, item in enumerate(items, 1))
         case Numbers(_, table):
             title, note = markdown_text(table.title), markdown_text(table.note)
             return f"**{title}**\n\n{note}\n\n{markdown_table(table)}"
-        case Figure(name, caption):
-            text = re.sub(r"(?<!\\)[][]", r"\\\g<0>", markdown_text(caption))
-            return f"![{text}](figures/{name}.svg)\n\n*{text}*"
+        case Figure(name, title, caption):
+            alternative = re.sub(r"(?<!\\)[][]", r"\\\g<0>", markdown_text(title))
+            return f"![{alternative}](figures/{name}.svg)\n\n**{markdown_text(title)}.** {markdown_text(caption)}"
+
+
+def _cited(source: Source) -> str:
+    doi = f" [doi:{source.doi}](https://doi.org/{source.doi})" if source.doi else ""
+    return markdown_text(source.text) + doi
 
 
 def as_html(document: Document, drawings: Mapping[str, str]) -> str:
@@ -60,20 +82,29 @@ def as_html(document: Document, drawings: Mapping[str, str]) -> str:
 
 
 def _body(document: Document, drawings: Mapping[str, str]) -> Iterator[str]:
-    links = "\n".join(f'<li><a href="#{_id(s.title)}">{escape(s.title)}</a></li>' for s in document.sections)
+    first, *others = document.sections
     yield f"<h1>{escape(document.title)}</h1>"
     yield f'<p class="lead">{escape(document.lead)}</p>'
-    yield f"<nav><ol>\n{links}\n</ol></nav>"
-    for section in document.sections:
+    yield from _section(first, drawings)
+    yield f"<nav><ol>\n{_links((_id(s.title), s.title) for s in others)}\n</ol>"
+    listed = _links(titles_in(document))
+    yield f"<details><summary>Tables and figures</summary><ul>\n{listed}\n</ul></details></nav>"
+    for section in others:
         yield from _section(section, drawings)
+
+
+def _links(targets: Iterable[tuple[str, str]]) -> str:
+    return "\n".join(f'<li><a href="#{target}">{escape(text)}</a></li>' for target, text in targets)
 
 
 def _section(section: Section, drawings: Mapping[str, str]) -> Iterator[str]:
     yield f'<section id="{_id(section.title)}">'
     yield f"<h2>{escape(section.title)}</h2>"
+    if section.folded:
+        yield f"<details><summary>{escape(section.folded)}</summary>"
     for block in section.blocks:
         yield from _html(block, drawings)
-    yield "</section>"
+    yield "</details></section>" if section.folded else "</section>"
 
 
 def _html(block: Block, drawings: Mapping[str, str]) -> Iterator[str]:
@@ -89,18 +120,25 @@ def _html(block: Block, drawings: Mapping[str, str]) -> Iterator[str]:
             yield f"<figcaption><b>{escape(table.title)}</b> {escape(table.note)}</figcaption>"
             yield _coloured(html_table(table))
             yield "</figure>"
-        case Figure(name, caption):
+        case References(items):
+            yield "<ol>" + "\n".join(f"<li>{escape(item.text)}{_doi(item)}</li>" for item in items) + "</ol>"
+        case Figure(name, title, caption):
             svg = drawings[name]
             yield f'<figure id="{name}">{svg[svg.index("<svg") :]}'
-            yield f"<figcaption>{escape(caption)}</figcaption></figure>"
+            yield f"<figcaption><b>{escape(title)}.</b> {escape(caption)}</figcaption></figure>"
+
+
+def _doi(source: Source) -> str:
+    return f' <a href="https://doi.org/{source.doi}">doi:{source.doi}</a>' if source.doi else ""
 
 
 def _coloured(html: str) -> str:
     """Mark verdicts, numbers and rows of averages for the style."""
     for text, name in _CLASSES.items():
-        html = html.replace(f"<td>{text}</td>", f'<td class="{name}">{text}</td>')
+        effect = r"(?: -?[\d.]+(?: \[.*?\])?(?: \(.*?\))?)?(?: \*)?"
+        html = re.sub(f"<td>({text}{effect})</td>", rf'<td class="{name}">\1</td>', html)
     html = re.sub(r"<tr><td>Average result", '<tr class="average"><td>Average result', html)
-    number = r"(?:&lt; )?[\d.]+(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?"
+    number = r"(?:&lt; )?-?[\d.]+%?(?: \[[^]]*\])?(?: / \d+ / \d+|/\d+)?|\[[^]]*\]"
     return re.sub(f"<td>({number})</td>", r'<td class="number">\1</td>', html)
 
 

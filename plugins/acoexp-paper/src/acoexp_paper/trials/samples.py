@@ -11,6 +11,7 @@ import numpy as np
 from acoexp.compare.sample import Sample
 from acoexp.compare.statistics import Flags, Values
 from acoexp.trial.features import x2_last
+from acoexp_paper.trials.concentration import CYCLES, ENTROPY, ON_SHORTEST
 
 Samples = Mapping[str, Sample]
 """By algorithm, on one map; the trials of all have the same seeds."""
@@ -85,6 +86,13 @@ MEASURES = {
     "l2": Measure(lambda s: _ranked(s.features["l2"]), "converges to shorter paths"),
     "x2 - x1": Measure(_waiting, "has a smaller x2 - x1"),
     "x3": Measure(lambda s: _ranked(s.features["x3"]), "settles (x3) earlier"),
+    "pheromone elsewhere": Measure(
+        lambda s: -s.features[ON_SHORTEST],
+        f"has more of its pheromone on shortest paths after {CYCLES[-1]} cycles",
+    ),
+    "entropy": Measure(
+        lambda s: s.features[ENTROPY], f"has its pheromone more concentrated after {CYCLES[-1]} cycles"
+    ),
 }
 
 EVENTS = {
