@@ -48,9 +48,16 @@ def _below_its_heading(part: bytes, addresses: tuple[str, ...]) -> str:
 
 
 def _written(plain: Any, addresses: tuple[str, ...]) -> str:
-    text: str = yaml.dump(plain, default_flow_style=False, allow_unicode=True, sort_keys=False, Dumper=_Dumper)
-    if not text.isascii() or "\\" in text:  # the two differ in what they escape
-        text = OmegaConf.to_yaml(OmegaConf.create(plain))
+    text = _quickly(plain) or OmegaConf.to_yaml(OmegaConf.create(plain))
     for address in {*addresses} - {""} or {""}:
         text = masked(text, address)
     return text
+
+
+def _quickly(plain: Any) -> str | None:
+    """Return what libyaml writes, or None where it would escape other signs than OmegaConf."""
+    try:
+        text: str = yaml.dump(plain, default_flow_style=False, allow_unicode=True, sort_keys=False, Dumper=_Dumper)
+    except UnicodeEncodeError:  # bytes of a name that are no UTF-8
+        return None
+    return text if text.isascii() and "\\" not in text else None

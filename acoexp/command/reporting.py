@@ -12,7 +12,6 @@ from hydra.types import RunMode
 
 from acoexp.command.options.folders import is_named
 from acoexp.command.options.keys import ReportKeys
-from acoexp.command.results.table import print_report
 from acoexp.errors import SettingsError, shown
 from acoexp.parameters import build, fields_of
 from acoexp.registry.parts import build_part, find_part
@@ -66,6 +65,8 @@ class Asked:
         self.check_folder()  # once more: by now there is a store, and whatever others have written
         with context.place():
             written = self.report.write(context)
+        from acoexp.command.results.table import print_report  # rich is needed at the end alone
+
         print_report(written, self.report.headline(written))
 
 
