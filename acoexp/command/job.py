@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
+from omegaconf import DictConfig, OmegaConf
 
 from acoexp.command.dumping import yaml_of
 from acoexp.command.handover import Handover
@@ -25,7 +26,7 @@ from acoexp.command.results.artifacts import carried, pictured
 from acoexp.command.results.contents import batch_record, trial_record
 from acoexp.command.results.paths import write_path
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
-from acoexp.command.results.table import print_trial
+from acoexp.command.results.table import print_report, print_trial
 from acoexp.command.results.watch import Watched, watching
 from acoexp.console.whole import whole_file, write_whole
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
@@ -106,7 +107,7 @@ class Job:
 
     def _run_in(self, folder: Path, alone: bool) -> float:
         if self.report is not None:
-            self.report.write(self._context(self.report, self.report.place(folder)))
+            print_report(*self.report.write(self._context(self.report, self.report.place(folder))))
             return math.nan
         address = str(self._mapping("tracking").get("uri", ""))
         write_whole(folder / "config.yaml", yaml_of(literal(self.config), address))
@@ -233,3 +234,11 @@ class Job:
 def _raise_if_failed(batch: Batch, trials: int) -> None:
     if batch.failures:
         raise StrategyError(f"{len(batch.failures)} of {trials} trials failed: {batch.failures[0].reason}")
+
+
+def plain(config: DictConfig) -> dict[str, Any]:
+    """Return what a configuration says, but for Hydra's own part: resolved, as plain values."""
+    if "hydra" in config:
+        config = OmegaConf.masked_copy(config, [str(key) for key in config if key != "hydra"])
+    values = OmegaConf.to_container(config, resolve=True)
+    return {str(key): value for key, value in values.items()} if isinstance(values, dict) else {}

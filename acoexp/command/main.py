@@ -1,25 +1,33 @@
-"""The command's entry: arguments are put in order, options registered, then Hydra takes over."""
+"""The command's entry: arguments are put in order, options registered, then Hydra takes over and calls for each job."""
 
 from __future__ import annotations
 
 import os
+import pickle
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, redirect_stdout
+from functools import lru_cache
 from io import StringIO
+from pathlib import Path
 
 import hydra
+from hydra.core.hydra_config import HydraConfig
 from hydra.errors import HydraException
+from hydra.types import RunMode
+from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
+from acoexp.command.handover import Handover
+from acoexp.command.job import Job, plain
 from acoexp.command.messages import in_one_line
 from acoexp.command.options.arguments import normalise
 from acoexp.command.options.flags import PARTS_INFO, complete_past_flags
+from acoexp.command.options.keys import JobKeys
 from acoexp.command.options.listing import parts_text
 from acoexp.command.options.registering import register_options
-from acoexp.command.task import run_job
-from acoexp.console.ending import ends_cleanly
-from acoexp.errors import AcoexpError
+from acoexp.console.ending import FAILED, ends_cleanly, print_error, said_of
+from acoexp.errors import AcoexpError, StoreGoneError
 from acoexp.registry.folders import conf_dir
 from acoexp.tracking.mlflow.masking import masked
 
@@ -68,3 +76,38 @@ def _describe(problem: Exception) -> str | None:
     ours = isinstance(problem, AcoexpError | HydraException | OmegaConfBaseException | OSError)
     engines = type(problem).__module__.partition(".")[0] in _ENGINES
     return in_one_line(problem) if ours or engines else None
+
+
+def run_job(config: DictConfig) -> float:
+    """Run what a configuration describes; see :meth:`acoexp.command.job.Job.run`.
+
+    Raises:
+        AcoexpError, OSError: for whatever went wrong with a job of a sweep; a single one ends the program, as
+            Hydra would print a line of its own.
+    """
+    handover = Handover()
+    with handover.in_parent_folder():  # files and stores are named from there, also under hydra.job.chdir
+        run = handover.ready or _job_of(config, handover).run
+        try:
+            return run()
+        except (AcoexpError, OSError) as problem:
+            alone = HydraConfig.get().mode == RunMode.RUN
+            if not (alone or isinstance(problem, StoreGoneError)):  # no further job could be kept then either
+                raise
+            print_error(said_of(problem))
+            raise SystemExit(FAILED) from problem
+
+
+def _job_of(config: DictConfig, handover: Handover) -> Job:
+    """Return the checked job; of a sweep's trials that differ by their seed alone, one is checked."""
+    values = plain(config)
+    if handover.folder is None or values.get("report") != {"name": "none"}:
+        return Job(values, handover)
+    others = {key: value for key, value in values.items() if key != "seed"}
+    return _checked(pickle.dumps(others), handover.folder, handover).with_seed(values.get("seed"))
+
+
+@lru_cache(maxsize=1)
+def _checked(others: bytes, sweep: Path, handover: Handover) -> Job:
+    """Return a job of a sweep, given all but its seed; the sweep's maps are what they are."""
+    return Job({"seed": JobKeys().seed, **pickle.loads(others)}, handover)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -60,14 +60,12 @@ class Asked:
             return job / name
         return (Path(hydra.run.dir) if is_named(hydra.run.dir) else _REPORTS) / name
 
-    def write(self, context: Context) -> None:
-        """Write it, and print its short table."""
+    def write(self, context: Context) -> tuple[Path, Sequence[Sequence[str]]]:
+        """Write it; return where it is, and its short table."""
         self.check_folder()  # once more: by now there is a store, and whatever others have written
         with context.place():
             written = self.report.write(context)
-        from acoexp.command.results.table import print_report  # rich is needed at the end alone
-
-        print_report(written, self.report.headline(written))
+        return written, self.report.headline(written)
 
 
 def asked_report(config: Mapping[str, Any]) -> Asked | None:

@@ -16,8 +16,7 @@ from running import listing
 
 from acoexp import Grid, solve, solve_many
 from acoexp.command.handover import Handover
-from acoexp.command.job import Job
-from acoexp.command.task import plain
+from acoexp.command.job import Job, plain
 from acoexp.errors import SettingsError, StrategyError
 from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context

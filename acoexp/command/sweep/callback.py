@@ -16,13 +16,12 @@ from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
 from acoexp.command.handover import Handover
-from acoexp.command.job import Job
+from acoexp.command.job import Job, plain
 from acoexp.command.messages import in_one_line
 from acoexp.command.results.watch import Watch, Watched
 from acoexp.command.sweep.plan import Plan, fix_folder
 from acoexp.command.sweep.secrets import without_secrets
 from acoexp.command.sweep.told import as_written
-from acoexp.command.task import plain
 from acoexp.console.ending import FAILED, print_error
 from acoexp.console.whole import write_whole
 from acoexp.errors import AcoexpError

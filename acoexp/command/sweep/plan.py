@@ -14,7 +14,7 @@ from hydra.core.override_parser.types import Override
 from omegaconf import DictConfig
 
 from acoexp.command.handover import Handover
-from acoexp.command.job import Job
+from acoexp.command.job import Job, plain
 from acoexp.command.options.quoting import hydra_text, literal
 from acoexp.command.options.sources import remember_options
 from acoexp.command.results.contents import found_record
@@ -28,7 +28,6 @@ from acoexp.command.sweep.told import (
     refers_to_seed,
     values_of,
 )
-from acoexp.command.task import plain
 from acoexp.errors import SettingsError, shown
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import Tracker

@@ -11,7 +11,8 @@ from hydra.types import RunMode
 from omegaconf import DictConfig
 
 from acoexp.command.handover import Handover
-from acoexp.command.task import _job_of, plain, run_job
+from acoexp.command.job import plain
+from acoexp.command.main import _job_of, run_job
 from acoexp.errors import SettingsError, StoreGoneError
 from acoexp.tracking.tracker import NoTracker
 
