@@ -1,4 +1,4 @@
-"""The command's entry: arguments are put in order, options registered, then Hydra takes over and calls for each job."""
+"""The command's entry: arguments are put in order, options registered; then Hydra takes over, which calls for jobs."""
 
 from __future__ import annotations
 
