@@ -1,4 +1,4 @@
-"""The command's entry: arguments are put in order, options registered; then Hydra takes over, which calls for jobs."""
+"""The command's entry: arguments in order, options registered; then Hydra takes over and calls for each job."""
 
 from __future__ import annotations
 
