@@ -21,6 +21,10 @@ def test_the_cycles_of_a_single_trial_have_no_digits() -> None:
     assert (number("x1", 7.0, 0), number("l1", 7.0, 0)) == ("7", "7.0000")
 
 
+def test_before_a_zero_there_is_no_minus() -> None:
+    assert (number("a12", -0.004, 2), number("a12", -0.006, 2), number("l1", -0.0)) == ("0.00", "-0.01", "0.0000")
+
+
 def test_an_estimate_stands_with_its_interval() -> None:
     assert estimate("x1", Estimate(7.06, 4.1, np.nan)) == "7.1 [4.1, -]"
 

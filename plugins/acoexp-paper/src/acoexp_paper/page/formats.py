@@ -15,7 +15,7 @@ def number(column: str, value: float, digits: int = 1) -> str:
     """
     if value != value:
         return "-"
-    return f"{value:.4f}" if column.startswith("l") else f"{value:.{digits}f}"
+    return f"{value:z.4f}" if column.startswith("l") else f"{value:z.{digits}f}"  # no minus before a zero
 
 
 def estimate(column: str, estimate: Estimate) -> str:
