@@ -12,6 +12,7 @@ from hydra.core.global_hydra import GlobalHydra
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.errors import HydraException
 from hydra.experimental.callback import Callback
+from hydra.types import RunMode
 from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
@@ -45,8 +46,10 @@ class Session(Callback):
             _or_exit(lambda: _begin_foreign_sweep(config))
 
     def on_job_start(self, config: DictConfig, **_: Any) -> None:
-        """Mask the passwords of addresses in what another launcher has just written of a job's configuration."""
-        if config.hydra.output_subdir is not None and config.hydra.launcher._target_ != OWN_LAUNCHER:
+        """Mask the passwords of addresses in what Hydra has just written of a job's configuration."""
+        in_sweep = config.hydra.mode == RunMode.MULTIRUN  # a single job is Hydra's own, whatever launcher is named
+        written_by_us = in_sweep and config.hydra.launcher._target_ == OWN_LAUNCHER
+        if config.hydra.output_subdir is not None and not written_by_us:
             folder = Path(config.hydra.runtime.output_dir, config.hydra.output_subdir)
             for file in folder.glob("*.yaml"):
                 write_whole(file, without_secrets(file.read_text(encoding="utf-8"), config))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fcntl import LOCK_EX, LOCK_NB, flock
@@ -24,8 +25,8 @@ from acoexp.command.sweep.told import (
     check_seeds,
     combinations,
     composed,
+    has_references,
     is_seed,
-    refers_to_seed,
     values_of,
 )
 from acoexp.errors import SettingsError, shown
@@ -76,12 +77,14 @@ class Plan:
         self._handover = Handover()
         remember_options(loader)
         of_hydra = as_written(config.hydra.overrides.hydra)
-        seeds = [override for override in overrides if override.key_or_group == "seed"]
+        seeds = {one.get_key_element(): one for one in overrides if one.key_or_group == "seed"}
+        if len(seeds) > 1:
+            raise SettingsError(f"seed: expected to be told once; got {' and '.join(seeds)}")
         # a configuration is composed once for all of them
-        others = [override for override in overrides if override not in seeds]
-        for override in seeds:
+        others = [override for override in overrides if override.key_or_group != "seed"]
+        for override in seeds.values():
             check_seeds(override)
-        self._seeds = [text for override in seeds for text in values_of(override)] if told is None else []
+        self._seeds = [text for one in seeds.values() for text in values_of(one)] if told is None else []
         self.jobs = dict[tuple[str, ...], Job]()
         for combination in combinations(others) if told is None else told:
             self._add(combination, composed(loader, [*combination, *of_hydra]))
@@ -92,13 +95,17 @@ class Plan:
             self._check_report_folders()
 
     def _add(self, told: Overrides, config: DictConfig) -> None:
-        """Check a configuration; with each seed of the sweep where something else in it depends on that."""
-        if not (self._seeds and refers_to_seed(config)):
+        """Check a configuration; with each seed of the sweep where something else in it is another then."""
+        if not (self._seeds and has_references(config)):
             self.jobs[tuple(told)] = Job(plain(config), self._handover)
             return
+        made: dict[bytes, Job] = {}
         for seed in self._seeds:
             config.seed = int(seed)
-            self.jobs[*told, f"seed={seed}"] = Job(plain(config), self._handover)
+            values = plain(config)
+            others = pickle.dumps({key: value for key, value in values.items() if key != "seed"})
+            job = made.setdefault(others, made.get(others) or Job(values, self._handover))
+            self.jobs[*told, f"seed={seed}"] = job
 
     def is_kept(self) -> bool:
         """Tell whether a quick look shows that every trial is in its store, which then need not be made ready."""
@@ -160,9 +167,10 @@ class Plan:
         """Yield what each job of the sweep is told, its checked configuration, and its seed or seeds."""
         for overrides in combinations(self._overrides):
             seeds = [text for text in overrides if is_seed(text)]
-            others = (*(text for text in overrides if not is_seed(text)),)
-            job = self.jobs.get(others) or self.jobs[*others, *seeds]
-            seed = int(seeds[0].partition("=")[2]) if seeds else job.keys.seed
+            others = [text for text in overrides if not is_seed(text)]
+            numbers = [text.partition("=")[2] for text in seeds]
+            job = self.jobs.get(tuple(others)) or self.jobs[*others, f"seed={numbers[0]}"]
+            seed = int(numbers[0]) if numbers else job.keys.seed
             yield overrides, job, seed if job.seeds is None else job.seeds
 
     def _in_store(self) -> dict[tuple[str | None, str, str], Found]:

@@ -6,6 +6,7 @@ environment. Copies are made by way of pickles and texts by libyaml; a test hold
 
 from __future__ import annotations
 
+import os
 import pickle
 from contextlib import chdir, nullcontext
 from pathlib import Path
@@ -36,11 +37,13 @@ def run_job(context: HydraContext, task: TaskFunction, config: DictConfig) -> Jo
     seen = pickle.dumps(hydra)  # by which OmegaConf's configurations are copied in a third of the time
     try:
         _set(config, hydra)
-        folder = Path(config.hydra.sweep.dir, str(config.hydra.sweep.subdir)).absolute()
+        named = Path(config.hydra.sweep.dir, str(config.hydra.sweep.subdir))
+        folder = Path(os.path.abspath(named))  # noqa: PTH100 - as with Hydra, links stay
         for part in (config, hydra := cast(DictConfig, pickle.loads(seen))):
             with read_write(part.hydra.runtime), open_dict(part.hydra.runtime):
                 part.hydra.runtime.output_dir = str(folder)
         told = cast(DictConfig, pickle.loads(pickle.dumps(hydra)))
+        OmegaConf.set_readonly(told.hydra, True)
         _set(config, hydra)
         folder.mkdir(parents=True, exist_ok=True)
         with chdir(folder) if config.hydra.job.chdir else nullcontext():

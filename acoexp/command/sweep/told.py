@@ -13,7 +13,6 @@ from hydra.errors import HydraException
 from hydra.types import RunMode
 from omegaconf import DictConfig, ListConfig, OmegaConf
 
-from acoexp.command.dumping import yaml_of
 from acoexp.trial.seeds import check_seed
 
 Overrides = list[str]
@@ -51,10 +50,10 @@ def composed(loader: ConfigLoader, overrides: Overrides) -> DictConfig:
     return config
 
 
-def refers_to_seed(config: DictConfig) -> bool:
-    """Tell whether anything in a configuration has its value from the seed's, such as ``map.seed=${seed}``."""
-    ours = [str(key) for key in config if key != "hydra"]
-    return re.search(r"\$\{[^}]*seed", yaml_of(OmegaConf.masked_copy(config, ours))) is not None
+def has_references(config: DictConfig) -> bool:
+    """Tell whether anything in a configuration refers to something else, such as ``map.seed=${seed}``."""
+    ours = OmegaConf.masked_copy(config, [str(key) for key in config if key != "hydra"])
+    return "${" in str(OmegaConf.to_container(ours, resolve=False))
 
 
 def is_seed(text: str) -> bool:

@@ -42,7 +42,7 @@ def may_pass(problem: Exception) -> bool:
         passing = ("TEMPORARILY_UNAVAILABLE", "INTERNAL_ERROR", "REQUEST_LIMIT_EXCEEDED", "BAD_REQUEST")
         return problem.error_code in passing and not lasts(problem)
     if isinstance(problem, sqlite3.OperationalError):
-        return "locked" in str(problem)
+        return "locked" in str(problem) or "disk I/O" in str(problem)
     passing_kinds = RequestException | OperationalError | InterfaceError | ConnectionError | TimeoutError
     return isinstance(problem, passing_kinds) and not lasts(problem)
 

@@ -11,7 +11,7 @@ import math
 from collections.abc import Collection
 from contextlib import closing
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from acoexp.tracking.mlflow.database import reading
 
@@ -19,7 +19,7 @@ _RUNS = """
 SELECT runs.run_uuid, runs.start_time, runs.status
 FROM tags JOIN runs USING (run_uuid) JOIN experiments USING (experiment_id)
 WHERE tags.key = ? AND tags.value IN (SELECT value FROM json_each(?))
-  AND experiments.name = ? AND experiments.lifecycle_stage = 'active'
+  AND experiments.{by} = ? AND experiments.lifecycle_stage = 'active'
   AND runs.lifecycle_stage = 'active'
 ORDER BY runs.start_time
 """
@@ -51,14 +51,20 @@ class LocalRun(NamedTuple):
     data: LocalData
 
 
-def runs_with(file: Path, experiment: str, tag: str, values: Collection[str]) -> list[LocalRun]:
+def runs_with(
+    file: Path,
+    experiment: str,
+    tag: str,
+    values: Collection[str],
+    by: Literal["name", "experiment_id"] = "name",
+) -> list[LocalRun]:
     """Return the runs of an experiment whose tag has one of some values, the oldest first.
 
     Raises:
         sqlite3.Error: if the database is not there, is none of MLflow's, or is locked.
     """
     with closing(reading(file)) as database:
-        found = database.execute(_RUNS, (tag, json.dumps([*values]), experiment)).fetchall()
+        found = database.execute(_RUNS.format(by=by), (tag, json.dumps([*values]), experiment)).fetchall()
         runs = {row[0]: LocalRun(LocalInfo(row[0], row[1] or 0, row[2]), LocalData({}, {})) for row in found}
         ids = json.dumps([*runs])
         for run_id, key, value in database.execute(_TAGS, (ids,)):

@@ -8,6 +8,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from functools import cached_property
 from pathlib import Path
 from secrets import token_hex
 from typing import TYPE_CHECKING
@@ -106,7 +107,7 @@ class RunWriter:
 
     def log_file(self, file: Path, folder: str | None) -> None:
         """Keep a file as an artifact in a folder."""
-        self.do(lambda _: self._artifacts().log_artifact(str(file), folder))  # type: ignore[no-untyped-call]
+        self.do(lambda _: self._artifacts.log_artifact(str(file), folder))  # type: ignore[no-untyped-call]
 
     def log_files(self, files: Mapping[str, bytes], folder: str | None = None) -> None:
         """Keep files as artifacts in a folder, given what is in each by its name."""
@@ -115,7 +116,7 @@ class RunWriter:
         with tempfile.TemporaryDirectory() as draft:
             for name, content in files.items():
                 (Path(draft) / name).write_bytes(content)
-            self.do(lambda _: self._artifacts().log_artifacts(draft, folder))  # type: ignore[no-untyped-call]
+            self.do(lambda _: self._artifacts.log_artifacts(draft, folder))  # type: ignore[no-untyped-call]
 
     def heartbeat(self) -> None:
         """Note that the process that writes this run is at work."""
@@ -149,6 +150,7 @@ class RunWriter:
 
         self._store.with_retries(with_run, "does not take a trial")
 
+    @cached_property
     def _artifacts(self) -> ArtifactRepository:
         """Return where the run's artifacts go; MLflow's client would ask the store for the run first."""
         from mlflow.store.artifact.artifact_repository_registry import get_artifact_repository
@@ -158,6 +160,8 @@ class RunWriter:
     def _keep_only_this(self, run_id: str) -> None:
         """See to it that this is the only finished run of its identity, and the only one of this writer."""
         same = self._of_same_identity()
+        if all(run.info.run_id != run_id for run in same):  # a person has deleted it meanwhile
+            return
         keep_one(self._store, [run for run in same if run.info.run_id == run_id or is_whole(run)])
         for run in same:
             mine = run.data.tags.get(WRITER) == self._token
@@ -171,7 +175,8 @@ class RunWriter:
         identity, file = self._tags[IDENTITY], self._store.file
         if file is None:
             return self._store.search(f"tags.{IDENTITY} = '{identity}'")
-        return runs_with(file, self._store.experiment, IDENTITY, [identity])
+        # by its number, as a person may rename it while the trial runs
+        return runs_with(file, self._store.experiment_id, IDENTITY, [identity], by="experiment_id")
 
 
 def is_whole(run: Run | LocalRun) -> bool:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hydra.types import RunMode
 from omegaconf import DictConfig, open_dict, read_write
 from running import listing
 
@@ -50,6 +51,18 @@ def test_what_nobody_foresaw_ends_it_with_a_traceback(
     with pytest.raises(SystemExit, match="1"):
         Session().on_run_start(composed(*QUICK))
     assert capsys.readouterr().err.rstrip().endswith("ZeroDivisionError")
+
+
+@pytest.mark.parametrize(("mode", "launcher"), [(RunMode.RUN, "acoexp"), (RunMode.MULTIRUN, "basic")])
+def test_passwords_in_what_hydra_writes_of_a_job_are_masked(
+    mode: RunMode, launcher: str, composed: Composed, tmp_path: Path
+) -> None:
+    config = composed("tracking.uri='http://me:geheim99@host'", f"hydra/launcher={launcher}", mode=mode)
+    written = tmp_path / "job" / ".hydra" / "config.yaml"
+    written.parent.mkdir()
+    written.write_text("uri: http://me:geheim99@host\nother: geheim99\n", encoding="utf-8")
+    Session().on_job_start(config)
+    assert written.read_text(encoding="utf-8") == "uri: http://***@host\nother: ***\n"
 
 
 @pytest.mark.parametrize("sweeper", ["acoexp", "optuna"])

@@ -73,6 +73,22 @@ def test_a_configuration_is_checked_once_whatever_its_seeds(planned: Callable[..
     assert plan.where == "not tracked"
 
 
+@pytest.mark.parametrize("others", [(), ("map=random", "map.seed=${seed}")])
+def test_a_seed_may_be_told_by_another_sign(others: tuple[str, ...], planned: Callable[..., Plan]) -> None:
+    left = planned(*others, "++seed=3,4", *QUICK).leave_out_known()
+    assert (left.trials, left.repeated, len(left.missing)) == (2, 0, 2)
+
+
+def test_a_seed_is_told_once(planned: Callable[..., Plan]) -> None:
+    with pytest.raises(SettingsError, match=r"^seed: expected to be told once; got seed and \+\+seed$"):
+        planned("seed=0,1", "++seed=5", *QUICK)
+
+
+def test_seeds_share_a_job_where_a_reference_is_to_something_else(planned: Callable[..., Plan]) -> None:
+    plan = planned("ants=7", "iterations=${ants}", "tracking=none", "seed=3,4")
+    assert len({id(job) for job in plan.jobs.values()}) == 1
+
+
 def test_where_something_else_is_the_seeds_each_is_checked_for_itself(planned: Callable[..., Plan]) -> None:
     plan = planned("map=random", "map.seed=${seed}", "seed=3,4", *QUICK)
     assert [job.setup.map["seed"] for job in plan.jobs.values()] == [3, 4]

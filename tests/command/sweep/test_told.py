@@ -10,7 +10,7 @@ from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.errors import HydraException
 from omegaconf import DictConfig, OmegaConf
 
-from acoexp.command.sweep.told import as_written, combinations, refers_to_seed
+from acoexp.command.sweep.told import as_written, combinations, has_references
 
 
 def parsed(*overrides: str) -> list[Any]:
@@ -63,9 +63,14 @@ def test_what_only_a_job_knows_stays_as_it_was_written() -> None:
 
 @pytest.mark.parametrize(
     ("overrides", "refers"),
-    [((), False), (("map=random", "map.seed=${seed}"), True), (("map=random", "map.seed=3"), False)],
+    [
+        ((), False),
+        (("map=random", "map.seed=${seed}"), True),
+        (("map=random", "map.seed=3"), False),
+        (("tracking.uri='http://me:${seed}@host'",), True),
+    ],
 )
-def test_what_has_its_value_from_the_seed_is_known(
+def test_references_are_known(
     overrides: tuple[str, ...], refers: bool, composed: Callable[..., DictConfig]
 ) -> None:
-    assert refers_to_seed(composed(*overrides)) is refers
+    assert has_references(composed(*overrides)) is refers

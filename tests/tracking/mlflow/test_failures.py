@@ -34,6 +34,7 @@ LASTING = ["database or disk is full", "attempt to write a readonly database", "
         ConnectionError("reset"),
         ReadTimeout("read"),
         raised_by_sqlite("database is locked"),
+        sqlite3.OperationalError("disk I/O error"),
         raised_by_sqlite("database is locked", written="reason: disk is full"),
         MlflowException(str(raised_by_sqlite("database is locked")), TEMPORARILY_UNAVAILABLE),
         MlflowException("restarting", TEMPORARILY_UNAVAILABLE),

@@ -10,7 +10,8 @@ import pytest
 from mlflow.exceptions import MlflowException
 from mlflow.protos.databricks_pb2 import INVALID_PARAMETER_VALUE, PERMISSION_DENIED
 
-from acoexp.tracking.mlflow.run import is_whole, keep_one
+from acoexp.tracking.mlflow.run import RunWriter, is_whole, keep_one
+from acoexp.tracking.mlflow.store import Store
 
 
 def finished(run_id: str, began: int, replaces: str | None = None, **metrics: float) -> Any:
@@ -56,6 +57,30 @@ def test_a_run_that_another_process_has_deleted_already_is_gone_all_the_same() -
     refusing: Any = Deleting(MlflowException("not yours", PERMISSION_DENIED))
     with pytest.raises(MlflowException, match="not yours"):
         keep_one(refusing, both)
+
+
+def begun(address: str) -> tuple[Store, RunWriter]:
+    """Return a store, and a run in it that is being written."""
+    store = Store(address)
+    store.prepare()
+    writer = RunWriter(store, "mine", {}, {"identity": "one", "kind": "trial", "cell": "0" * 16})
+    writer.begin()
+    return store, writer
+
+
+def test_a_run_is_finished_also_where_a_person_renames_its_experiment(fresh: str) -> None:
+    store, writer = begun(fresh)
+    store.client.rename_experiment(store.experiment_id, "another")
+    writer.finish()
+    (run,) = store.client.search_runs([store.experiment_id])
+    assert run.info.status == "FINISHED"
+
+
+def test_a_run_that_a_person_deletes_as_it_is_finished_is_no_error(fresh: str) -> None:
+    store, writer = begun(fresh)
+    writer.do(store.client.delete_run)
+    writer.do(writer._keep_only_this)
+    assert store.client.search_runs([store.experiment_id]) == []
 
 
 BATCH = {"trials": 10.0, "never_arrived": 0.0, "success_rate": 0.5}
