@@ -9,6 +9,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
+from mlflow.store.artifact.local_artifact_repo import LocalArtifactRepository
 
 from acoexp.errors import TrackingError
 from acoexp.merge.copying import Merged, RefusedError, merge
@@ -94,7 +95,7 @@ def test_a_run_that_is_cut_off_while_it_is_brought_does_not_count(
         raise RuntimeError("disk full")
 
     with monkeypatch.context() as full:
-        full.setattr(here.store.client, "log_artifact", fail)
+        full.setattr(LocalArtifactRepository, "log_artifact", fail)
         with pytest.raises(TrackingError, match="disk full"):
             merge(there, here.store)
     assert not here.has(what.identity(seeds))
