@@ -14,7 +14,7 @@ from omegaconf.errors import OmegaConfBaseException
 from running import QUICK, refusal, run_acoexp
 
 from acoexp.command.handover import Handover
-from acoexp.command.job import Job
+from acoexp.command.job import Job, plain
 from acoexp.command.messages import in_one_line
 from acoexp.command.options.registering import register_options
 from acoexp.errors import AcoexpError
@@ -113,7 +113,7 @@ def checked(*overrides: str) -> str:
     with initialize_config_dir(str(conf_dir()), version_base="1.3"):
         config = compose("config", list(overrides))
     with pytest.raises((AcoexpError, OmegaConfBaseException)) as caught:
-        Job(config, Handover())
+        Job(plain(config), Handover())
     message = in_one_line(caught.value)
     assert "\n" not in message
     return message
