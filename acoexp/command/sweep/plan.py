@@ -104,8 +104,9 @@ class Plan:
             config.seed = int(seed)
             values = plain(config)
             others = pickle.dumps({key: value for key, value in values.items() if key != "seed"})
-            job = made.setdefault(others, made.get(others) or Job(values, self._handover))
-            self.jobs[*told, f"seed={seed}"] = job
+            if others not in made:
+                made[others] = Job(values, self._handover)
+            self.jobs[*told, f"seed={seed}"] = made[others]
 
     def is_kept(self) -> bool:
         """Tell whether a quick look shows that every trial is in its store, which then need not be made ready."""
