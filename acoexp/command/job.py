@@ -16,6 +16,7 @@ from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
+from acoexp.command.alone import keep_alone
 from acoexp.command.dumping import yaml_of
 from acoexp.command.handover import Handover
 from acoexp.command.options.keys import JobKeys
@@ -24,9 +25,8 @@ from acoexp.command.reporting import Asked, asked_report
 from acoexp.command.results.again import command_of
 from acoexp.command.results.artifacts import carried, pictured
 from acoexp.command.results.contents import batch_record, trial_record
-from acoexp.command.results.paths import write_path
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
-from acoexp.command.results.table import print_report, print_trial
+from acoexp.command.results.table import print_report
 from acoexp.command.results.watch import Watched, watching
 from acoexp.console.whole import whole_file, write_whole
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
@@ -89,6 +89,15 @@ class Job:
         """How many trials it is."""
         return 1 if self.seeds is None else len(self.seeds)
 
+    def prepare(self) -> None:
+        """Make the store ready; before a trial, which is shown first, take no more than a quick look at it.
+
+        Raises:
+            TrackingError: if it cannot be written.
+        """
+        is_trial = self.report is None and self.seeds is None
+        (self.tracker.check if is_trial else self.tracker.prepare)()
+
     def run(self) -> float:
         """Run the trials and keep what they found, or write the report; return the best length, or its mean.
 
@@ -118,19 +127,14 @@ class Job:
             return self._run_batch(folder, self.seeds)
 
     def _run_trial(self, folder: Path, alone: bool) -> float:
-        """Run one trial; with its path, pictures and its row of figures where it is the only one."""
-        trial = keep_trial(
-            self._setup_with_command(),
-            self.keys.seed,
-            self.tracker,
-            solver=self._solver,
-            resume=self.keys.resume,
-            artifacts=partial(pictured, folder) if alone else carried,
-        )
-        write_record(folder / TRIAL, trial_record(trial))
+        """Run one trial; the only one is shown before it is kept."""
+        setup, keys = self._setup_with_command(), self.keys
+        keep = partial(keep_trial, setup, keys.seed, self.tracker, solver=self._solver, resume=keys.resume)
         if alone:
-            write_path(trial.result, folder)
-            print_trial(Path(HydraConfig.get().run.dir), self.tracker.where)
+            trial = keep_alone(keep, self.tracker, folder, Path(HydraConfig.get().run.dir))
+        else:
+            trial = keep(artifacts=carried)
+            write_record(folder / TRIAL, trial_record(trial))
         return trial.result.length if trial.result.path is not None else math.inf
 
     def _run_batch(self, folder: Path, seeds: Seeds) -> float:

@@ -38,8 +38,8 @@ def ends_cleanly(interrupted: str, describe: Callable[[Exception], str | None] =
         sys.stdout.reconfigure(errors="backslashreplace")  # a name that this terminal cannot show ends nothing
     try:
         yield
-    except KeyboardInterrupt:
-        print(f"acoexp: interrupted; {interrupted}", file=sys.stderr)
+    except KeyboardInterrupt as ended:  # whoever knows better has said it
+        print(f"acoexp: interrupted; {str(ended) or interrupted}", file=sys.stderr)
         sys.exit(INTERRUPTED)
     except Exception as problem:
         message = describe(problem)

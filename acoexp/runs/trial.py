@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
 from acoexp.errors import StrategyError
 from acoexp.tracking.setup import Artifacts, Setup, Trial
@@ -19,7 +20,9 @@ def keep_trial(
     *,
     solver: Callable[[], Solver] | None = None,
     resume: bool = True,
+    show: Callable[[Trial], None] = lambda trial: None,
     artifacts: Callable[[Result], Artifacts] = lambda result: {},
+    ready: Callable[[], None] = lambda: None,
 ) -> Trial:
     """Run one trial and keep it.
 
@@ -29,7 +32,9 @@ def keep_trial(
         tracker: Where it is kept.
         solver: Returns the solver for the setup, where one is kept from trial to trial; else one is made.
         resume: Whether the same trial, if it is there, stays; otherwise this one takes its place.
+        show: Called with the trial as soon as it is solved, before it is kept.
         artifacts: Returns what its run carries.
+        ready: Makes the tracker ready where it is not yet, once there is something to keep.
 
     Raises:
         StrategyError: if a part broke its contract; the tracker then has the reason.
@@ -41,8 +46,12 @@ def keep_trial(
         result = made.solve(seed)
         seconds = time.perf_counter() - began
     except StrategyError as problem:
+        ready()
         tracker.log_failure(setup, seed, str(problem))
         raise
-    trial = Trial(setup, result, seconds, artifacts(result))
+    trial = Trial(setup, result, seconds)
+    show(trial)
+    trial = replace(trial, artifacts=artifacts(result))
+    ready()
     tracker.log(trial, resume=resume)
     return trial

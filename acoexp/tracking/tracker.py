@@ -39,6 +39,13 @@ class Tracker(Protocol):
     def address(self) -> str | None:
         """The absolute address of the store, for a worker; None if there is no store."""
 
+    def check(self) -> None:
+        """Refuse a store that a quick look shows cannot be written; it need not be made ready for that.
+
+        Raises:
+            TrackingError: if it is one.
+        """
+
     def prepare(self) -> None:
         """Create the store if it is not there, and close what killed processes left open; before any trial.
 
@@ -81,6 +88,9 @@ class NoTracker:
 
     where = "not tracked"
     address: str | None = None
+
+    def check(self) -> None:
+        """Do nothing."""
 
     def prepare(self) -> None:
         """Do nothing."""

@@ -17,7 +17,7 @@ from running import listing
 from acoexp import Grid, solve, solve_many
 from acoexp.command.handover import Handover
 from acoexp.command.job import Job, plain
-from acoexp.errors import SettingsError, StrategyError
+from acoexp.errors import SettingsError, StrategyError, TrackingError
 from acoexp.registry.resolve import resolve
 from acoexp.report.context import Context
 from acoexp.report.report import Report
@@ -116,14 +116,17 @@ def test_a_trial_leaves_its_settings_its_record_and_its_pictures_and_returns_its
     assert "files: job" in capsys.readouterr().out
 
 
-def test_a_path_that_cannot_be_written_is_an_error_of_a_trial_that_is_kept(
+def test_a_database_that_cannot_be_written_is_refused_before_the_trial_and_another_store_after_it(
     made: Callable[..., Job], tmp_path: Path
 ) -> None:
-    job = made(*QUICK, "seed=3")
-    (tmp_path / "job" / "path.csv").mkdir()
-    with pytest.raises(OSError, match=r"path\.csv"):
-        job.run()
-    assert (tmp_path / "job" / "trial.json").exists()
+    (tmp_path / "x.db").write_text("no database of SQLite's\n" * 100)
+    with pytest.raises(TrackingError, match="not a database"):
+        made(*QUICK, "tracking=mlflow", "tracking.uri=sqlite:///x.db").prepare()
+    elsewhere = ("tracking=mlflow", "tracking.uri='nope://there'")
+    made(*QUICK, *elsewhere).prepare()
+    for many in (("seeds='0-1'",), ("report=compare", "report.cells=[aco,pd]")):
+        with pytest.raises(TrackingError, match="nope"):
+            made(*QUICK, *elsewhere, *many).prepare()
 
 
 def test_a_trial_of_a_sweep_draws_and_prints_nothing(

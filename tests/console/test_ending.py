@@ -49,6 +49,7 @@ def test_of_the_name_of_a_file_only_so_much_is_shown_as_a_person_reads(capsys: C
 
 def test_an_interruption_says_what_was_kept_and_is_the_shells_status(capsys: Capture) -> None:
     assert ending(KeyboardInterrupt(), capsys) == (130, "acoexp: interrupted; nothing is lost\n")
+    assert ending(KeyboardInterrupt("all is lost"), capsys) == (130, "acoexp: interrupted; all is lost\n")
 
 
 def test_what_nobody_foresaw_is_raised_with_its_traceback(capsys: Capture) -> None:

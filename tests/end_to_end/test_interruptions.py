@@ -191,6 +191,19 @@ def test_ctrl_c_while_the_program_is_read_is_one_line(module: str, tmp_path: Pat
 
 
 @posix
+@pytest.mark.parametrize("module", ["matplotlib", "mlflow"])
+def test_a_trial_alone_is_seen_before_what_draws_and_keeps_it_is_read(module: str, tmp_path: Path) -> None:
+    (tmp_path / "sitecustomize.py").write_text(INTERRUPTING.format(module=module), encoding="utf-8")
+    ended = run_acoexp("iterations=3", "ants=2", cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)})
+    assert ended.returncode == 130
+    assert ended.stderr.splitlines()[-1] == "acoexp: interrupted; this trial may not be kept"
+    *_, row, files, follows = ended.stdout.splitlines()
+    assert (row.split()[:2], files[:21]) == (["pdg", "fig13"], "files: outputs/runs/")
+    assert follows == "pictures follow, then where it is kept"
+    assert len(trials(tmp_path)) == 1
+
+
+@posix
 def test_a_progress_bar_shows_on_a_terminal_alone(tmp_path: Path) -> None:
     import pty
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 from mlflow import MlflowClient
-from running import environment, refusal, run_acoexp, trials
+from running import environment, listing, refusal, run_acoexp, trials
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="stops the server's process group")
 
@@ -119,10 +119,22 @@ def test_a_password_in_the_address_of_a_server_is_printed_and_written_nowhere(
 
 def test_a_server_that_is_not_there_is_told_soon_and_in_one_line(tmp_path: Path) -> None:
     uri = f"http://127.0.0.1:{free_port()}"
-    message = refusal(f"tracking.uri={uri}", "iterations=3", cwd=tmp_path, timeout=30.0)
+    message = refusal(f"tracking.uri={uri}", "iterations=3", "-m", cwd=tmp_path, timeout=30.0)
     assert message.startswith(
         f"tracking.uri: expected an MLflow store that can be written; {uri} cannot be opened"
     )
+
+
+def test_a_trial_alone_is_shown_and_has_its_files_where_the_server_is_not_there(tmp_path: Path) -> None:
+    uri = f"http://127.0.0.1:{free_port()}"
+    ended = run_acoexp(f"tracking.uri={uri}", "algo=aco", "hydra.run.dir=here", cwd=tmp_path)
+    assert ended.returncode == 1
+    assert ended.stderr.startswith(
+        f"acoexp: error: tracking.uri: expected an MLflow store that can be written; {uri}"
+    )
+    assert ended.stderr.count("\n") == 1
+    assert ended.stdout.splitlines()[-2:] == ["files: here", "pictures follow, then where it is kept"]
+    assert {"trial.json", "path.csv", "path.png", "convergence.png"} <= listing(tmp_path / "here")
 
 
 def test_a_server_that_is_killed_and_comes_back_within_a_sweep_loses_nothing(tmp_path: Path) -> None:

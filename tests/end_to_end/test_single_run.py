@@ -82,8 +82,11 @@ def test_it_prints_what_it_found_and_where_it_lies(run: Run) -> None:
     assert row[1] == "env1"
     assert (f"{trial['l1']:.4f}" if trial["l1"] else "-") in row
     assert f"{trial['optimum']:.4f}" in row
-    assert str(run.folder.relative_to(run.home)) in run.ended.stdout
-    assert "not tracked" in run.ended.stdout
+    assert run.ended.stdout.splitlines()[-3:] == [
+        f"files: {run.folder.relative_to(run.home)}",
+        "pictures follow, then where it is kept",
+        "run:   not tracked",
+    ]
 
 
 def test_it_works_where_a_relative_path_of_a_map_leads(tmp_path: Path) -> None:

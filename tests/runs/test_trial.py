@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from acoexp import Grid, solve
+from acoexp import Grid, Result, solve
 from acoexp.errors import StrategyError, TrackingError
 from acoexp.registry.resolve import resolve
 from acoexp.runs.trial import keep_trial
 from acoexp.tracking.mlflow.tracker import MlflowTracker
-from acoexp.tracking.setup import Setup, Trial
+from acoexp.tracking.setup import Artifacts, Setup, Trial
 from acoexp.tracking.tracker import NoTracker
 from acoexp.trial.solver import Solver
 
@@ -63,6 +63,24 @@ def test_the_time_that_it_took_is_that_of_the_trial_alone() -> None:
     assert 0.0 < kept.seconds < time.perf_counter() - began
 
 
+def test_it_is_shown_before_anything_is_made_of_it_and_the_tracker_is_ready_then() -> None:
+    done: list[str] = []
+
+    class Ordered(Noting):
+        def log(self, trial: Trial, *, resume: bool = True) -> None:
+            done.append(f"kept with {[*trial.artifacts]}")
+
+    def artifacts(result: Result) -> Artifacts:
+        done.append("drawn")
+        return {"path.csv": b""}
+
+    def show(trial: Trial) -> None:
+        done.append(f"shown with {[*trial.artifacts]}")
+
+    keep_trial(WHAT, 3, Ordered(), show=show, artifacts=artifacts, ready=lambda: done.append("ready"))
+    assert done == ["shown with []", "drawn", "ready", "kept with ['path.csv']"]
+
+
 @pytest.mark.parametrize("where", ["solve", "__init__"])
 def test_a_trial_that_failed_is_kept_with_its_reason_and_raised(
     where: str, monkeypatch: pytest.MonkeyPatch
@@ -72,9 +90,10 @@ def test_a_trial_that_failed_is_kept_with_its_reason_and_raised(
 
     monkeypatch.setattr(Solver, where, fail)
     tracker = Noting()
+    ready: list[int] = []
     with pytest.raises(StrategyError, match=r"^the part broke$"):
-        keep_trial(WHAT, 3, tracker)
-    assert (tracker.kept, tracker.failed) == ([], [(3, "the part broke")])
+        keep_trial(WHAT, 3, tracker, ready=lambda: ready.append(len(tracker.failed)))
+    assert (tracker.kept, tracker.failed, ready) == ([], [(3, "the part broke")], [0])
 
 
 def test_a_trial_that_the_store_does_not_take_has_not_failed() -> None:

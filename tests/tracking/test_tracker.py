@@ -27,6 +27,7 @@ def tracker(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> NoTracker:
 
 
 def test_it_touches_nothing_and_finds_nothing(tracker: NoTracker, tmp_path: Path) -> None:
+    tracker.check()
     tracker.prepare()
     assert (tracker.find("c", {"i"}), tracker.has("i"), [*tracker.find_trials("c", SEEDS)]) == ({}, False, [])
     assert list(tmp_path.iterdir()) == []

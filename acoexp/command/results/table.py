@@ -24,13 +24,23 @@ _QUALITY = {"turns": ("turns", 1), "clear": ("clearance_least", 2), "detour": ("
 _NOT_VARIED = {"algo", "map.name", "seed", "seeds"}
 
 
-def print_trial(folder: Path, where: str) -> None:
-    """Print what one trial found."""
+def print_trial(folder: Path, named: Path) -> None:
+    """Print what the only trial found, before its pictures are drawn and it is kept.
+
+    Args:
+        folder: Where its record lies.
+        named: What that is called for a person.
+    """
     (row,) = rows_of([read_record(folder / TRIAL)])
     console = _console()
     console.print(_table([row], spread=False, wide=console.width >= _WIDE))
     _warn_of_lost(console, [row])
-    console.print(f"files: {folder}\nrun:   {where}", highlight=False, soft_wrap=True)
+    console.print(f"files: {named}\npictures follow, then where it is kept", highlight=False, soft_wrap=True)
+
+
+def print_run(where: str) -> None:
+    """Print where the run of one trial is kept."""
+    _console().print(f"run:   {where}", highlight=False, soft_wrap=True)
 
 
 def print_sweep(records: Sequence[Mapping[str, Any]], folder: Path, where: str, ended: str) -> None:

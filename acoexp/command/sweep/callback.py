@@ -70,7 +70,7 @@ def _or_exit(action: Callable[[], None]) -> None:
 def _begin_run(config: DictConfig) -> None:
     handover = Handover()
     job = Job(plain(config), handover)
-    job.tracker.prepare()
+    job.prepare()
     handover.ready = job.run
 
 

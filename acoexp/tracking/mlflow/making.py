@@ -34,11 +34,8 @@ def make_whole(file: Path, make: Callable[[Path], object]) -> None:
     Raises:
         OSError, sqlite3.Error: if it cannot be made.
     """
-    if file.is_dir():
-        raise IsADirectoryError(f"{file} is a folder")
+    check_is_file(file)
     file = file.resolve()  # a link stays one
-    if file.exists() and not file.is_file():  # a pipe or a device, in whose place nothing is put
-        raise FileExistsError(f"{file} is no file")
     if not file.parent.is_dir():
         raise FileNotFoundError(f"there is no folder {file.parent}")
     for left in file.parent.glob(f"{escape(_drafts(file))}*"):
@@ -58,6 +55,18 @@ def make_whole(file: Path, make: Callable[[Path], object]) -> None:
         ):  # of an earlier database: SQLite would play them in
             Path(f"{file}{journal}").unlink(missing_ok=True)
         whole.replace(file)
+
+
+def check_is_file(file: Path) -> None:
+    """Refuse a place where something else is than a file.
+
+    Raises:
+        OSError: if it is a folder, a pipe or a device, in whose place nothing is put.
+    """
+    if file.is_dir():
+        raise IsADirectoryError(f"{file} is a folder")
+    if file.exists() and not file.is_file():
+        raise FileExistsError(f"{file.resolve()} is no file")
 
 
 def check_writable(file: Path) -> None:

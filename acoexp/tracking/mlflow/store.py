@@ -22,7 +22,7 @@ from filelock import FileLock
 from acoexp.errors import StoreGoneError, TrackingError
 from acoexp.tracking.mlflow.database import address_of
 from acoexp.tracking.mlflow.failures import lasts, may_pass, reason_of
-from acoexp.tracking.mlflow.making import check_openable, check_writable, make_whole
+from acoexp.tracking.mlflow.making import check_is_file, check_openable, check_writable, make_whole
 from acoexp.tracking.mlflow.masking import masked
 from acoexp.tracking.mlflow.moving import ARTIFACTS, bring_artifacts_along
 
@@ -73,6 +73,19 @@ class Store:
         self.folder = None if self.file is None else self.file.parent
         self.shown = masked(uri, uri)
         self._is_gone = False  # patience ran out once: nobody waits for it again
+
+    def check(self) -> None:
+        """Look whether a local database can be written, or made in its folder; MLflow is not imported for that.
+
+        Raises:
+            TrackingError: if it cannot.
+        """
+        with self._reporting("cannot be opened"):
+            if self.file is not None:
+                self.file.parent.mkdir(parents=True, exist_ok=True)
+                check_is_file(self.file)
+                if self.file.exists():
+                    check_writable(self.file)
 
     def prepare(self) -> None:
         """Create the store and the experiment if they are not there; find the artifacts of one that was moved.

@@ -60,6 +60,14 @@ class MlflowTracker:
         self.address = self.store.uri
         self.where = f"MLflow experiment {experiment!r} at {self.store.shown}"
 
+    def check(self) -> None:
+        """Refuse a local database that is there and cannot be written, which is seen without MLflow.
+
+        Raises:
+            TrackingError: if it is one.
+        """
+        self.store.check()
+
     def prepare(self) -> None:
         """Create the store and the experiment if they are not there; close the runs that were left behind.
 

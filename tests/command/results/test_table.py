@@ -106,6 +106,16 @@ def test_the_end_says_how_it_ended_and_where_everything_lies(tmp_path: Path, cap
     assert lines[-1] == ["runs:", "nowhere"]
 
 
+def test_of_a_trial_alone_what_is_not_done_yet_is_not_said_to_be(tmp_path: Path, capsys: Any) -> None:
+    (tmp_path / "trial.json").write_text(json.dumps(trial(0)), encoding="utf-8")
+    table.print_trial(tmp_path, Path("outputs/here"))
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == ["algo", "pdg", "files:", "pictures"]
+    assert lines[2:] == ["files: outputs/here", "pictures follow, then where it is kept"]
+    table.print_run("in [a] store")
+    assert capsys.readouterr().out == "run:   in [a] store\n"
+
+
 def test_a_sweep_without_a_finished_trial_has_no_table(tmp_path: Path, capsys: Any) -> None:
     assert table_of(tmp_path, [], capsys)[0] == ["all", "is", "done"]
 

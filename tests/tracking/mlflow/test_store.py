@@ -6,6 +6,7 @@ import multiprocessing
 import os
 import re
 import sqlite3
+from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 
@@ -73,6 +74,35 @@ def test_all_who_ask_for_one_address_share_a_store_until_it_means_another(
     (tmp_path / "below").mkdir()
     monkeypatch.chdir(tmp_path / "below")
     assert open_store("sqlite:///x.db").file == tmp_path / "below" / "x.db"
+
+
+# --- a quick look
+
+
+def test_a_database_that_can_be_written_or_made_passes_and_so_does_a_store_elsewhere(tmp_path: Path) -> None:
+    store = Store(f"sqlite:///{tmp_path}/below/x.db")
+    store.check()
+    assert [*tmp_path.rglob("*")] == [tmp_path / "below"]
+    store.prepare()
+    store.check()
+    Store("nope://there").check()
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (Path.mkdir, "is a folder"),
+        (os.mkfifo, "is no file"),
+        (lambda file: file.write_text("no database of SQLite's\n" * 100), "not a database"),
+    ],
+)
+def test_what_is_no_database_is_refused_and_stays(
+    make: Callable[[Path], object], said: str, tmp_path: Path
+) -> None:
+    make(tmp_path / "x.db")
+    with pytest.raises(TrackingError, match=f"expected an MLflow store that can be written; .*{said}"):
+        Store(f"sqlite:///{tmp_path}/x.db").check()
+    assert [*tmp_path.iterdir()] == [tmp_path / "x.db"]
 
 
 # --- making it ready
