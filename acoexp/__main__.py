@@ -10,6 +10,9 @@ def main() -> None:
     """Run the command. What it needs takes a second to import, and Ctrl-C is answered within that, too."""
     try:
         try:
+            from acoexp.console.collecting import begin_without
+
+            begin_without()
             from acoexp.command.main import main as run
         except KeyboardInterrupt:
             print("acoexp: interrupted; nothing was begun", file=sys.stderr)

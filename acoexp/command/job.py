@@ -28,6 +28,7 @@ from acoexp.command.results.contents import batch_record, trial_record
 from acoexp.command.results.records import BATCH, FAILED_JOB, TRIAL, write_progress, write_record
 from acoexp.command.results.table import print_report
 from acoexp.command.results.watch import Watched, watching
+from acoexp.console.collecting import collect_from_now_on
 from acoexp.console.whole import whole_file, write_whole
 from acoexp.errors import AcoexpError, SettingsError, StrategyError
 from acoexp.grid.grid import Grid
@@ -95,8 +96,11 @@ class Job:
         Raises:
             TrackingError: if it cannot be written.
         """
-        is_trial = self.report is None and self.seeds is None
-        (self.tracker.check if is_trial else self.tracker.prepare)()
+        if self.report is None and self.seeds is None:
+            self.tracker.check()
+        else:
+            self.tracker.prepare()
+            collect_from_now_on()
 
     def run(self) -> float:
         """Run the trials and keep what they found, or write the report; return the best length, or its mean.

@@ -102,7 +102,8 @@ class KernelCache(_Cache):
         if hashlib.sha256(payload).digest() != checksum:
             log.warning("a file of the kernel cache is damaged and is made anew")
             return None
-        target_context.refresh()
+        # numba itself would load all that it compiles by first, which takes a third of a second; machine code that
+        # counts no references, as that of all kernels, needs nothing of it
         rebuild: Any = CompileResult._rebuild
         return rebuild(target_context, *pickle.loads(payload))
 

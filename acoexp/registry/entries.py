@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from functools import cache
-from importlib.metadata import EntryPoint, distributions, entry_points
+from importlib.metadata import Distribution, EntryPoint, distributions, entry_points
 from pathlib import Path
 
 from acoexp.errors import did_you_mean, shown
@@ -78,9 +78,15 @@ def misplaced_entries() -> list[tuple[EntryPoint, str]]:
 def package_named(entry: EntryPoint) -> str:
     """Return the name and version of the package that an entry point is of."""
     try:
-        return f"{entry.dist.name} {entry.dist.version}"  # type: ignore[union-attr]
+        return _named(entry.dist)
     except Exception:  # none, or its metadata is damaged
         return "an unknown package"
+
+
+@cache
+def _named(package: Distribution) -> str:
+    """Return the name and version of a package, whose metadata are read once for all of its entry points."""
+    return f"{package.name} {package.version}"
 
 
 def clash(group: str, name: str) -> str | None:

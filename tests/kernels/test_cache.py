@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import logging
 import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -64,6 +66,32 @@ def test_what_was_compiled_is_loaded_after_that(root: Path, caplog: pytest.LogCa
     assert len(caplog.messages) == len(kept_files(root)) == 1
     assert loaded(new_loop())
     assert len(caplog.messages) == 1
+
+
+LOADING = """
+import sys
+from acoexp.colony.compiled import compiled_for_python
+from acoexp.kernels.cache import compile_once
+
+@compiled_for_python
+def loop(number):
+    return number + 1.0
+
+@compiled_for_python
+def other(number):
+    return number * 3.0
+
+compile_once(loop, "digest", (2.0,))
+print(loop(2.0), "numba.np.arraymath" in sys.modules, other(2.0))
+"""
+
+
+def test_to_load_nothing_is_read_that_numba_compiles_by_and_more_can_be_compiled_then(root: Path) -> None:
+    said = [
+        subprocess.run([sys.executable, "-c", LOADING], check=True, capture_output=True, text=True).stdout
+        for _ in range(2)
+    ]
+    assert said == ["3.0 True 6.0\n", "3.0 False 6.0\n"]
 
 
 @pytest.mark.parametrize(

@@ -29,6 +29,7 @@ from acoexp.command.sweep.told import (
     is_seed,
     values_of,
 )
+from acoexp.console.collecting import collect_from_now_on
 from acoexp.errors import SettingsError, shown
 from acoexp.tracking.setup import Found
 from acoexp.tracking.tracker import Tracker
@@ -126,6 +127,7 @@ class Plan:
             if job.tracker.address is not None:
                 self._handover.addresses[job.config["tracking"]["uri"]] = job.tracker.address
         self._handover.put_maps(folder, [(job.config["map"], job.setup.grid) for job in self.jobs.values()])
+        collect_from_now_on()
 
     def leave_out_known(self) -> Left:
         """Return what is not in the store yet, and the records of what is."""
