@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from acoexp.console.collecting import begin_without, collect_from_now_on
+from acoexp.console.collecting import begin_without, collect_from_now_on, set_aside
 
 
 class Knot:
@@ -21,7 +21,9 @@ class Knot:
 @pytest.fixture(autouse=True)
 def as_before() -> Iterator[None]:
     """Leave the collector as it was found."""
+    often = gc.get_threshold()
     yield
+    gc.set_threshold(*often)
     gc.unfreeze()
     gc.enable()
 
@@ -37,8 +39,17 @@ def test_what_is_there_when_it_begins_is_never_looked_through_again() -> None:
     assert (before() is None, after() is None) == (False, True)
 
 
-def test_where_it_was_never_off_nothing_changes() -> None:
-    knot = weakref.ref(Knot())
-    collect_from_now_on()
+def test_what_is_set_aside_is_no_garbage_by_then() -> None:
+    before = weakref.ref(Knot())
+    kept = Knot()
+    set_aside()
+    stays = weakref.ref(kept)
+    del kept
     gc.collect()
-    assert (gc.isenabled(), knot(), gc.get_freeze_count()) == (True, None, 0)
+    assert (before() is None, stays() is None) == (True, False)
+
+
+def test_where_it_was_never_off_nothing_changes() -> None:
+    often, frozen = gc.get_threshold(), gc.get_freeze_count()
+    collect_from_now_on()
+    assert (gc.isenabled(), gc.get_threshold(), gc.get_freeze_count()) == (True, often, frozen)

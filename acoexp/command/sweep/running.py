@@ -33,29 +33,29 @@ def run_job(context: HydraContext, task: TaskFunction, config: DictConfig) -> Jo
         What became of it; an exception is in there.
     """
     before = HydraConfig.instance().cfg
-    hydra = _only_hydra(config)
-    seen = pickle.dumps(hydra)  # by which OmegaConf's configurations are copied in a third of the time
+    whole = pickle.dumps(config)  # by which OmegaConf's configurations are copied in a third of the time
+    hydra, told = _only_hydra(whole), _only_hydra(whole)
     try:
         _set(config, hydra)
         named = Path(config.hydra.sweep.dir, str(config.hydra.sweep.subdir))
         folder = Path(os.path.abspath(named))  # noqa: PTH100 - as with Hydra, links stay
-        for part in (config, hydra := cast(DictConfig, pickle.loads(seen))):
+        for part in (config, hydra, told):
             with read_write(part.hydra.runtime), open_dict(part.hydra.runtime):
                 part.hydra.runtime.output_dir = str(folder)
-        told = cast(DictConfig, pickle.loads(pickle.dumps(hydra)))
         OmegaConf.set_readonly(told.hydra, True)
-        _set(config, hydra)
         folder.mkdir(parents=True, exist_ok=True)
         with chdir(folder) if config.hydra.job.chdir else nullcontext():
-            return _run_here(context, task, config, told)
+            return _run_here(context, task, config, _without_hydra(whole), told)
     finally:
         HydraConfig.instance().cfg = before
 
 
-def _run_here(context: HydraContext, task: TaskFunction, config: DictConfig, hydra: DictConfig) -> JobReturn:
+def _run_here(
+    context: HydraContext, task: TaskFunction, config: DictConfig, own: DictConfig, hydra: DictConfig
+) -> JobReturn:
     job = JobReturn(
         overrides=cast(list[str], OmegaConf.to_container(config.hydra.overrides.task)),
-        cfg=_without_hydra(config),
+        cfg=own,
         hydra_cfg=hydra,
         working_dir=str(Path.cwd()),
     )
@@ -95,8 +95,8 @@ def _set(config: DictConfig, hydra: DictConfig) -> None:
     HydraConfig.instance().cfg = hydra  # type: ignore[assignment]
 
 
-def _only_hydra(config: DictConfig) -> DictConfig:
-    copy = cast(DictConfig, pickle.loads(pickle.dumps(config)))
+def _only_hydra(config: bytes) -> DictConfig:
+    copy = cast(DictConfig, pickle.loads(config))
     with open_dict(copy):
         for key in [key for key in copy if key != "hydra"]:
             del copy[key]
@@ -104,8 +104,8 @@ def _only_hydra(config: DictConfig) -> DictConfig:
     return copy
 
 
-def _without_hydra(config: DictConfig) -> DictConfig:
-    copy = cast(DictConfig, pickle.loads(pickle.dumps(config)))
+def _without_hydra(config: bytes) -> DictConfig:
+    copy = cast(DictConfig, pickle.loads(config))
     with read_write(copy), open_dict(copy):
         del copy["hydra"]
     return copy

@@ -9,11 +9,10 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Collection
-from contextlib import closing
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from acoexp.tracking.mlflow.database import reading
+from acoexp.tracking.mlflow.database import kept_open
 
 _RUNS = """
 SELECT runs.run_uuid, runs.start_time, runs.status
@@ -63,13 +62,13 @@ def runs_with(
     Raises:
         sqlite3.Error: if the database is not there, is none of MLflow's, or is locked.
     """
-    with closing(reading(file)) as database:
-        found = database.execute(_RUNS.format(by=by), (tag, json.dumps([*values]), experiment)).fetchall()
-        runs = {row[0]: LocalRun(LocalInfo(row[0], row[1] or 0, row[2]), LocalData({}, {})) for row in found}
-        ids = json.dumps([*runs])
-        for run_id, key, value in database.execute(_TAGS, (ids,)):
-            runs[run_id].data.tags[key] = value
-        for run_id, key, value, is_nan in database.execute(_METRICS, (ids,)):
-            number = isinstance(value, int | float) and not is_nan  # a person may have written a text there
-            runs[run_id].data.metrics[key] = float(value) if number else math.nan
+    database = kept_open(file)
+    found = database.execute(_RUNS.format(by=by), (tag, json.dumps([*values]), experiment)).fetchall()
+    runs = {row[0]: LocalRun(LocalInfo(row[0], row[1] or 0, row[2]), LocalData({}, {})) for row in found}
+    ids = json.dumps([*runs])
+    for run_id, key, value in database.execute(_TAGS, (ids,)):
+        runs[run_id].data.tags[key] = value
+    for run_id, key, value, is_nan in database.execute(_METRICS, (ids,)):
+        number = isinstance(value, int | float) and not is_nan  # a person may have written a text there
+        runs[run_id].data.metrics[key] = float(value) if number else math.nan
     return [*runs.values()]

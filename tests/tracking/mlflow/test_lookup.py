@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import shutil
 import sqlite3
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from pathlib import Path
 
@@ -43,6 +45,33 @@ def test_it_reads_of_each_run_what_mlflow_reads(store: Store) -> None:
     by_mlflow = [run for identity in wanted for run in store.search(f"tags.identity = {quoted(identity)}")]
     assert len(by_mlflow) == 5
     assert sorted(map(as_said, looked_up(store, *wanted))) == sorted(map(as_said, by_mlflow))
+
+
+def test_a_database_that_takes_the_place_of_another_is_looked_into(
+    store: Store, identity: str, tmp_path: Path
+) -> None:
+    other = Store(f"sqlite:///{tmp_path}/other.db")
+    other.prepare()
+    run = kept(other, identity)
+    here, there = store.file or Path(), other.file or Path()
+    aside = here.with_name("aside.db")
+    assert looked_up(store, identity) == []
+    here.rename(aside)
+    try:
+        with pytest.raises(sqlite3.Error):
+            looked_up(store, identity)
+        shutil.copy(there, here)
+        assert [found.info.run_id for found in looked_up(store, identity)] == [run]
+    finally:
+        aside.replace(here)
+    assert looked_up(store, identity) == []
+
+
+def test_each_thread_looks_by_itself(store: Store, identity: str) -> None:
+    run = kept(store, identity)
+    with ThreadPoolExecutor(2) as threads:
+        found = [threads.submit(looked_up, store, identity).result() for _ in range(4)]
+    assert [[one.info.run_id for one in some] for some in (*found, looked_up(store, identity))] == [[run]] * 5
 
 
 def quoted(text: str) -> str:

@@ -35,18 +35,24 @@ class AcoexpLauncher(Launcher):
         """Run jobs, numbered from a number on; return what became of them."""
         from acoexp.command.sweep.running import run_job  # Hydra imports this file at every command
         from acoexp.command.sweep.series import composed
+        from acoexp.console.collecting import set_aside
 
         setup_globals()
         configure_log(self.config.hydra.hydra_logging, self.config.hydra.verbose)
         Path(self.config.hydra.sweep.dir).mkdir(parents=True, exist_ok=True)
         log.info(f"Launching {len(job_overrides)} jobs locally")
+        # where nothing is said between jobs, there is nothing to be made ready for that
+        tells, last = log.isEnabledFor(logging.INFO), initial_job_idx + len(job_overrides) - 1
         jobs: list[JobReturn] = []
         configs = composed(self.context.config_loader, self.config, job_overrides)
         for number, overrides in enumerate(job_overrides, initial_job_idx):
-            log.info(f"\t#{number} : {' '.join(filter_overrides(overrides))}")
+            if tells:
+                log.info(f"\t#{number} : {' '.join(filter_overrides(overrides))}")
             config = next(configs)
             with open_dict(config):
                 config.hydra.job.id = config.hydra.job.num = number
             jobs.append(run_job(self.context, self.task, config))
-            configure_log(self.config.hydra.hydra_logging, self.config.hydra.verbose)
+            set_aside()  # Hydra wants to know what became of each job: that grows, and stays
+            if tells or number == last:
+                configure_log(self.config.hydra.hydra_logging, self.config.hydra.verbose)
         return jobs
