@@ -53,7 +53,7 @@ def _run() -> None:
     if arguments.info == PARTS_INFO:
         print(parts_text())
         return
-    register_options(arguments.config_dir)
+    register_options(arguments.config_dir, with_help=arguments.help)
     sys.argv[1:] = arguments.argv
     complete_past_flags(os.environ)
     run = hydra.main(version_base="1.3", config_path=str(conf_dir()), config_name="config")(run_job)

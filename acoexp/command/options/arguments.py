@@ -33,12 +33,13 @@ MOST_VALUES, MOST_JOBS = 100_000, 1_000_000
 
 
 class Arguments(NamedTuple):
-    """What Hydra gets, the user's folder of options, which it gets in another way, and what --info asks for."""
+    """What Hydra gets; the user's folder of options, which it gets in another way; what flags of its own ask."""
 
     argv: list[str]
     config_dir: str | None
     info: str | None = None
     cfg: str | None = None
+    help: bool = False
 
 
 def normalise(argv: list[str]) -> Arguments:
@@ -91,7 +92,7 @@ def normalise(argv: list[str]) -> Arguments:
         overrides = _defer_part_keys(overrides)
     # overrides first: an option with an optional value, such as --info, must not take one for its value
     argv = [*overrides, *(own_folders(overrides) if runs else ()), *without_config_dir(options)]
-    return Arguments(argv, flags.config_dir, flags.info, flags.cfg)
+    return Arguments(argv, flags.config_dir, flags.info, flags.cfg, flags.help)
 
 
 def _mode(given: list[str]) -> str | None:

@@ -3,46 +3,37 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from hydra.core.config_search_path import ConfigSearchPath, SearchPathQuery
 from hydra.core.config_store import ConfigStore
 from hydra.core.plugins import Plugins
 from hydra.plugins.search_path_plugin import SearchPathPlugin
 
-from acoexp.colony.scalars import ColonySettings
+from acoexp.command.options.declared import Declared
 from acoexp.command.options.help import help_text
-from acoexp.command.options.keys import JobKeys, ReportKeys
 from acoexp.command.options.sources import UserOptions
 from acoexp.command.options.tuning import register_tuning
-from acoexp.errors import SettingsError, StrategyError
-from acoexp.grid.field import FieldSettings
-from acoexp.parameters import defaults_of
-from acoexp.registry.entries import GROUPS, part_names
+from acoexp.errors import SettingsError
 from acoexp.registry.folders import plugin_conf_dirs
-from acoexp.registry.parts import find_part
-from acoexp.tracking.options import TRACKING
+
+_NO_HELP = "python -m acoexp --help lists every option\n"
 
 
-def register_options(config_dir: str | None) -> None:
+def register_options(config_dir: str | None, *, with_help: bool = False) -> None:
     """Tell Hydra of everything that is declared, and of the user's folder of options.
+
+    Args:
+        config_dir: That folder, if there is one.
+        with_help: Whether it is asked for the help, for which every part is loaded.
 
     Raises:
         SettingsError: if that folder does not exist.
     """
-    store = ConfigStore.instance()
-    store.store(
-        name="settings", node={**_plain(ColonySettings), "field": _plain(FieldSettings), **_plain(JobKeys)}
-    )
-    for group in GROUPS:
-        for name in part_names(group):
-            shared = _plain(ReportKeys) if group == "report" else {}
-            store.store(group=group, name=name, node={"name": name, **shared, **_parameters(group, name)})
-    store.store(group="report", name="none", node={"name": "none"})
-    for name, owner in TRACKING.items():
-        store.store(group="tracking", name=name, node={"name": name, **_plain(owner)})
+    Plugins.instance().register(Declared)
+    Plugins.instance().register(_Declared)
+    help_of = {"template": help_text() if with_help else _NO_HELP}
+    ConfigStore.instance().store(group="hydra/help", name="acoexp", node=help_of)
     register_tuning()
-    store.store(group="hydra/help", name="acoexp", node={"template": help_text()})
     folders = dict(plugin_conf_dirs())
     if config_dir is not None:
         folders = {_existing(config_dir): "command-line", **folders}
@@ -50,16 +41,11 @@ def register_options(config_dir: str | None) -> None:
         _register_folders(folders)
 
 
-def _parameters(group: str, name: str) -> dict[str, Any]:
-    """Return a part's parameters; none if it is broken, which is said to whoever uses it."""
-    try:
-        return _plain(find_part(group, name))
-    except StrategyError:
-        return {}
+class _Declared(SearchPathPlugin):
+    """Lets Hydra look for options among what is declared, after it has looked in all folders."""
 
-
-def _plain(owner: type) -> dict[str, Any]:
-    return {n: list(v) if isinstance(v, tuple) else v for n, v in defaults_of(owner).items()}
+    def manipulate_search_path(self, search_path: ConfigSearchPath) -> None:
+        search_path.append("acoexp", f"{Declared.scheme()}://")
 
 
 def _existing(config_dir: str) -> Path:

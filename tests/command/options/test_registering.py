@@ -4,20 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
-from hydra.core.config_store import ConfigStore
-from omegaconf import DictConfig, OmegaConf
+from omegaconf import DictConfig
 from running import QUICK, refusal, run_acoexp, trials
 
-from acoexp.command.options import registering
 from acoexp.command.options.registering import register_options
-from acoexp.errors import SettingsError, StrategyError
-from acoexp.parameters import defaults_of
-from acoexp.registry.entries import GROUPS, part_names
-from acoexp.registry.parts import find_part
-from acoexp.tracking.options import TRACKING
+from acoexp.errors import SettingsError
 
 PRESET = """\
 # @package _global_
@@ -32,6 +25,18 @@ ants: 3
 """
 
 
+SAYING = """
+import sys
+
+class Saying:
+    def find_spec(self, name, path=None, target=None):
+        if name == "acoexp_paper":
+            print("read:", name, file=sys.stderr)
+
+sys.meta_path.insert(0, Saying())
+"""
+
+
 def write(folder: Path, name: str, content: str) -> Path:
     """Write an option file."""
     file = folder / f"{name}.yaml"
@@ -40,47 +45,20 @@ def write(folder: Path, name: str, content: str) -> Path:
     return file
 
 
-def option(group: str, name: str) -> Any:
-    """Return an option as Hydra has it."""
-    return OmegaConf.to_container(ConfigStore.instance().load(f"{group}/{name}.yaml").node)
-
-
-@pytest.mark.parametrize("group", GROUPS)
-def test_each_part_is_an_option_with_its_parameters_and_their_defaults(hydra: None, group: str) -> None:
-    for name in part_names(group):
-        defaults = defaults_of(find_part(group, name))
-        plain = {key: list(value) if isinstance(value, tuple) else value for key, value in defaults.items()}
-        shared = {"folder": None} if group == "report" else {}
-        assert option(group, name) == {"name": name, **shared, **plain}
-
-
-def test_there_may_be_no_report_and_no_tracking(hydra: None) -> None:
-    assert option("report", "none") == {"name": "none"}
-    assert option("tracking", "none") == {"name": "none"}
-    assert option("tracking", "mlflow") == {"name": "mlflow", **defaults_of(TRACKING["mlflow"])}
-
-
 def test_what_is_of_no_part_stands_at_the_top(composed: Callable[..., DictConfig]) -> None:
     config = composed()
     assert (config.seed, config.seeds, config.threads, config.resume) == (0, None, None, True)
     assert (config.rho, config.field.reach) == (0.5, 4.0)
 
 
-def test_a_broken_part_is_offered_without_parameters_and_harms_nobody(
-    hydra: None, monkeypatch: pytest.MonkeyPatch
+def test_parts_are_loaded_when_they_are_chosen_or_the_help_is_asked_for(
+    tmp_path: Path,
 ) -> None:
-    def find(group: str, name: str, real: Any = find_part) -> Any:
-        if name == "luo_wu":
-            raise StrategyError("luo_wu cannot be imported")
-        return real(group, name)
-
-    with monkeypatch.context() as broken:
-        broken.setattr(registering, "find_part", find)
-        register_options(None)
-        assert option("diffusion", "luo_wu") == {"name": "luo_wu"}
-        assert "gamma" in option("diffusion", "gaussian")
-    register_options(None)
-    assert "gamma" in option("diffusion", "luo_wu")
+    (tmp_path / "sitecustomize.py").write_text(SAYING, encoding="utf-8")
+    saying = {"PYTHONPATH": str(tmp_path)}
+    assert run_acoexp("--cfg", "job", cwd=tmp_path, env=saying).stderr == ""
+    assert run_acoexp("--help", cwd=tmp_path, env=saying).stderr == "read: acoexp_paper\n"
+    assert run_acoexp("report=paper", "--cfg", "job", cwd=tmp_path, env=saying).stderr == "read: acoexp_paper\n"
 
 
 def test_a_folder_that_is_not_there_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,12 +24,16 @@ QUICK = ("algo=aco", "tracking=none", "iterations=3", "ants=2")
 def test_a_job_that_is_right_is_ready_to_run_and_its_store_too(
     composed: Composed, handover: Handover, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    prepared: list[bool] = []
-    monkeypatch.setattr(NoTracker, "prepare", lambda self: prepared.append(True))
+    done: list[str] = []
+    monkeypatch.setattr(NoTracker, "check", lambda self: done.append("looked at"))
+    monkeypatch.setattr(NoTracker, "prepare", lambda self: done.append("made ready"))
     Session().on_run_start(composed(*QUICK))
-    assert prepared == [True]
+    assert done == ["looked at"]
     assert handover.ready is not None
     assert handover.ready() > 0.0
+    assert done == ["looked at", "made ready"]
+    Session().on_run_start(composed(*QUICK, "seeds='0-1'"))
+    assert done[2:] == ["made ready"]
 
 
 def test_a_job_that_is_wrong_ends_the_program_in_one_line_with_nothing_written(
@@ -47,7 +51,7 @@ def test_what_nobody_foresaw_ends_it_with_a_traceback(
     def fail(self: Any) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(NoTracker, "prepare", fail)
+    monkeypatch.setattr(NoTracker, "check", fail)
     with pytest.raises(SystemExit, match="1"):
         Session().on_run_start(composed(*QUICK))
     assert capsys.readouterr().err.rstrip().endswith("ZeroDivisionError")
