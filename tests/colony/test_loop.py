@@ -16,7 +16,7 @@ from acoexp.registry.load_map import as_grid
 from acoexp.strategies.diffusion.source import SOURCES
 
 JIT = not numba.config.DISABLE_JIT
-SEEDS = range(12) if JIT else range(2)
+SEEDS = range(5) if JIT else range(2)
 CYCLES = 25 if JIT else 6
 
 OTHER_CONSTANTS = {

@@ -10,11 +10,11 @@ import numba
 import pytest
 from running import environment, trials
 
-TOGETHER = 10
+TOGETHER = 4
 
 
 @pytest.mark.skipif(numba.config.DISABLE_JIT, reason="nothing is compiled")
-def test_ten_cold_processes_compile_once(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_four_cold_processes_compile_once(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     cold = environment({"XDG_CACHE_HOME": str(tmp_path_factory.mktemp("cache"))})
     # by -m, which draws nothing: matplotlib's own cache is cold as well
     command = [sys.executable, "-m", "acoexp", "algo=aco", "tracking=none", "iterations=3", "-m"]

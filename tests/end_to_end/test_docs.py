@@ -12,7 +12,7 @@ import urllib.request
 from pathlib import Path
 
 import pytest
-from documented import BLOCK, OTHERS, ROOT, run_blocks
+from documented import BLOCK, PAGES, ROOT, run_blocks
 
 from acoexp.colony import pheromone
 from acoexp.colony.scalars import ColonySettings
@@ -21,8 +21,10 @@ from acoexp.parameters import fields_of
 
 
 @pytest.mark.slow_without_jit
-@pytest.mark.parametrize("page", OTHERS, ids=lambda page: page.name)
-def test_every_block_runs(page: Path, as_a_reader: Path, request: pytest.FixtureRequest) -> None:
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_block_runs_and_the_pages_that_it_writes_open(
+    page: Path, as_a_reader: Path, request: pytest.FixtureRequest
+) -> None:
     run_blocks(page, as_a_reader, request)
 
 

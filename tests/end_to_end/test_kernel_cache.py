@@ -71,22 +71,22 @@ def outcome(process: subprocess.Popen[str]) -> tuple[str, int]:
 
 
 @pytest.fixture(scope="module")
-def ten(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[tuple[str, int]]]:
-    """A cache that ten processes filled that started at once, and their outcomes."""
+def four(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[tuple[str, int]]]:
+    """A cache that four processes filled that started at once, and their outcomes."""
     cache = tmp_path_factory.mktemp("cache")
-    processes = [start(cache, SOLVE.format(imports="", settings={})) for _ in range(10)]
+    processes = [start(cache, SOLVE.format(imports="", settings={})) for _ in range(4)]
     return cache, [outcome(process) for process in processes]
 
 
-def test_of_ten_processes_that_start_at_once_one_compiles(ten: tuple[Path, list[tuple[str, int]]]) -> None:
-    cache, outcomes = ten
+def test_of_four_processes_that_start_at_once_one_compiles(four: tuple[Path, list[tuple[str, int]]]) -> None:
+    cache, outcomes = four
     assert len({printed for printed, _ in outcomes}) == 1
     assert sum(compiles for _, compiles in outcomes) == 1
     assert len(kept_files(cache)) == 1
 
 
-def test_a_later_process_does_not_compile_and_finds_the_same(ten: tuple[Path, list[tuple[str, int]]]) -> None:
-    cache, outcomes = ten
+def test_a_later_process_does_not_compile_and_finds_the_same(four: tuple[Path, list[tuple[str, int]]]) -> None:
+    cache, outcomes = four
     assert outcome(start(cache, SOLVE.format(imports="", settings={}))) == (outcomes[0][0], 0)
 
 

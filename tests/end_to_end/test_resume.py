@@ -23,7 +23,7 @@ pytestmark = [
 ]
 
 SMALL = ("algo=aco", "iterations=6", "ants=3")
-KILLS = 10
+KILLS = 6
 
 
 def runs_in(home: Path) -> list[Run]:

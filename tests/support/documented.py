@@ -13,13 +13,8 @@ from pages import CHROMIUM
 ROOT = Path(__file__).parents[2]
 BLOCK = re.compile(r"^```(bash|python)\n(.*?)^```$", re.M | re.S)
 
-REPORTS = [ROOT / "docs" / f"{name}.md" for name in ("comparing", "reproducing", "sensitivity", "watching")]
-"""Pages of the docs about reports; docs/engines.md needs clusters and databases, and has a test of its own."""
-
-OTHERS = [
-    ROOT / "README.md",
-    *sorted({*(ROOT / "docs").glob("*.md")} - {ROOT / "docs" / "engines.md", *REPORTS}),
-]
+PAGES = [ROOT / "README.md", *sorted({*(ROOT / "docs").glob("*.md")} - {ROOT / "docs" / "engines.md"})]
+"""Pages whose blocks run; docs/engines.md needs clusters and databases, and has a test of its own."""
 
 # what needs a checkout, a server, or a whole test run has a test of its own
 ELSEWHERE = ("pytest", "mlflow ui", "tests/benchmarks/")

@@ -64,7 +64,7 @@ def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
         "x: &x [*x]\n",
         "x: &x {a: *x}\n",
         "x: " + "[" * 3000 + "]" * 3000 + "\n",
-        "x: 1\n" * 200_000,
+        "x: 1\n" * 50_001,
         "# @package a b\nx: 1\n",
         "# @package\nx: 1\n",
     ],

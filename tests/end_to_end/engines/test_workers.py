@@ -6,11 +6,12 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 from mlflow import MlflowClient
-from running import environment, trials
+from running import environment, run_acoexp, trials
 from servers import until
 
 import acoexp
@@ -91,19 +92,11 @@ def test_eight_writers_at_once_lose_nothing_on_a_fresh_postgresql(
 
 def eight_at_once(uri: str, home: Path) -> None:
     """Run eight commands side by side, each with three short trials, to one store."""
-    writers = [
-        subprocess.Popen(
-            [sys.executable, "-m", "acoexp", "-m", seeds, "iterations=3", f"tracking.uri={uri}"],
-            cwd=home,
-            env=environment(),
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        for seeds in (f"seed={3 * n}-{3 * n + 2}" for n in range(8))
-    ]
-    said = [writer.communicate(timeout=240.0)[1] for writer in writers]
-    assert [writer.returncode for writer in writers] == [0] * 8, said
+    with ThreadPoolExecutor(8) as threads:
+        sweeps = [("-m", f"seed={3 * n}-{3 * n + 2}", "iterations=3", f"tracking.uri={uri}") for n in range(8)]
+        writers = [threads.submit(run_acoexp, *sweep, cwd=home, timeout=240.0) for sweep in sweeps]
+    ended = [writer.result() for writer in writers]
+    assert [one.returncode for one in ended] == [0] * 8, [one.stderr for one in ended]
 
 
 def finished_runs(uri: str) -> list[int]:
