@@ -12,11 +12,14 @@ import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from functools import cache
+from multiprocessing import forkserver
 from multiprocessing.context import ForkServerContext
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from threading import Lock
+from unittest.mock import patch
 
-IMPORTED = ["acoexp.command.main", "acoexp.command.results.pictures", "acoexp.compare.report", "mlflow", "forked"]
+STARTING = Lock()
 
 
 def run_forked(
@@ -35,7 +38,9 @@ def run_forked(
     """
     with TemporaryDirectory() as folder:
         out, err = Path(folder, "out"), Path(folder, "err")
-        process = _context().Process(target=_main, args=(list(args), str(cwd), dict(env), str(out), str(err)))
+        with STARTING:
+            context = _context()
+        process = context.Process(target=_main, args=(list(args), str(cwd), dict(env), str(out), str(err)))
         process.start()
         process.join(timeout)
         if process.is_alive():
@@ -49,8 +54,12 @@ def run_forked(
 
 @cache
 def _context() -> ForkServerContext:
+    """Start the process that commands are forked from, where it finds what is beside this file."""
     context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(IMPORTED)
+    context.set_forkserver_preload(["preloaded"])
+    path = [str(Path(__file__).parent), *filter(None, [os.environ.get("PYTHONPATH")])]
+    with patch.dict(os.environ, PYTHONPATH=os.pathsep.join(path)):
+        forkserver.ensure_running()
     return context
 
 
