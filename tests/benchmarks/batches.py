@@ -1,7 +1,4 @@
-"""Twelve thousand trials as twelve batches, tracked: wall time, and peak memory of the whole process tree.
-
-python tests/benchmarks/batches.py [seeds]
-"""
+"""Twelve thousand trials as twelve batches, tracked: time beside that of solving alone, and the peak of memory."""
 
 from __future__ import annotations
 
@@ -9,26 +6,49 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import psutil
+from rows import Given, Row
+from timing import interleave, seconds
 
-SWEEP = ["algo=aco,pd,pdg,pf", "map=fig13,env1,env2", "-m"]
+from acoexp import solve_many
+
+ROUNDS, SEEDS = 3, 1000
+ALGOS, MAPS = ("aco", "pd", "pdg", "pf"), ("fig13", "env1", "env2")
+SWEEP = [f"algo={','.join(ALGOS)}", f"map={','.join(MAPS)}", "-m"]
 
 
-def main() -> None:
-    """Run the sweep twice, to have its kernels compiled, and print what the second one took."""
-    seeds = sys.argv[1] if len(sys.argv) > 1 else "0-999"
-    with tempfile.TemporaryDirectory() as warm, tempfile.TemporaryDirectory() as home:
-        run(Path(warm), "0-1")
-        seconds, peak = run(Path(home), seeds)
-    print(f"12 batches, seeds {seeds}: {seconds:.1f} s, {peak / 1e6:.0f} MB")
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield the time of the command and the most memory that it held."""
+    name, alone, peaks = f"12 batches of {SEEDS}", "solving them alone", [0]
+
+    def sweep() -> float:
+        with tempfile.TemporaryDirectory() as home:
+            took, peak = run(Path(home), f"0-{SEEDS - 1}")
+        peaks.append(peak)
+        return took
+
+    with tempfile.TemporaryDirectory() as warm:
+        run(Path(warm), "0-1")  # so that all is compiled
+    timing = interleave(given.rounds or ROUNDS, {name: sweep, alone: lambda: seconds(solve)})
+    yield timing.row(name, alone, unit="s")
+    yield Row(name=f"{name}, memory of all processes", value=max(peaks) / 1e6, unit="MB")
+
+
+def solve() -> None:
+    """Solve what the sweep solves, and keep nothing."""
+    for name in MAPS:
+        for algo in ALGOS:
+            solve_many(name, algo, range(SEEDS))
 
 
 def run(home: Path, seeds: str) -> tuple[float, int]:
-    """Return the seconds that a sweep took, and the most memory that its processes held at once."""
+    """Return the seconds that a sweep took, and the most memory in bytes that its processes held at once."""
     began, peak = time.perf_counter(), 0
-    process = subprocess.Popen([sys.executable, "-m", "acoexp", *SWEEP, f"seeds={seeds}"], cwd=home)
+    command = [sys.executable, "-m", "acoexp", *SWEEP, f"seeds={seeds}"]
+    process = subprocess.Popen(command, cwd=home, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     watched = psutil.Process(process.pid)
     while process.poll() is None:
         try:
@@ -37,9 +57,5 @@ def run(home: Path, seeds: str) -> tuple[float, int]:
             continue
         time.sleep(0.02)
     if process.returncode:
-        sys.exit(process.returncode)
+        raise subprocess.CalledProcessError(process.returncode, command)
     return time.perf_counter() - began, peak
-
-
-if __name__ == "__main__":
-    main()

@@ -1,7 +1,5 @@
 """What each engine costs: one sweep of 40 trials through all of them, and the same metrics from each.
 
-python tests/benchmarks/engines.py
-
 Runs a Slurm and a Ray cluster of its own, on loopback; what is not installed is left out.
 """
 
@@ -10,18 +8,20 @@ from __future__ import annotations
 import json
 import sys
 import tempfile
-import time
+from collections.abc import Iterator
 from contextlib import nullcontext
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
 
 import servers
+from rows import Given, Row
 from running import run_acoexp, trials
+from timing import Timing, seconds
 
 import acoexp
 
-ALGOS, SEEDS = ("aco", "pdg"), range(20)
+ROUNDS, ALGOS, SEEDS = 3, ("aco", "pdg"), range(20)
 JOBS = len(ALGOS) * len(SEEDS)
 ENGINES = {
     "basic": lambda: nullcontext({}),
@@ -31,14 +31,13 @@ ENGINES = {
 }
 
 
-def seconds(engine: str, env: dict[str, str], seeds: str, folder: Path) -> float:
-    """Return how long a sweep takes from the first to the last line."""
+def sweep(engine: str, env: dict[str, str], seeds: str, folder: Path) -> None:
+    """Run a sweep."""
     folder.mkdir()
-    began = time.perf_counter()
     arguments = (f"engine={engine}", f"algo={','.join(ALGOS)}", f"seed={seeds}", "tracking=none")
     ended = run_acoexp("-m", *arguments, cwd=folder, env=env, timeout=900.0)
-    assert ended.returncode == 0, ended.stderr
-    return time.perf_counter() - began
+    if ended.returncode:
+        raise servers.NoServerError(ended.stderr.splitlines()[-1])
 
 
 def same_as_here(folder: Path) -> bool:
@@ -50,22 +49,29 @@ def same_as_here(folder: Path) -> bool:
     )
 
 
-def main() -> None:
-    """Print the table."""
-    print(f"| engine | {JOBS} trials | per trial | metrics |\n|---|---|---|---|")
+def per_trial(engine: str, env: dict[str, str], scratch: Path, turn: int) -> tuple[float, bool]:
+    """Return the seconds that each trial adds after an algorithm's first, and whether metrics are the same."""
+    few = seconds(lambda: sweep(engine, env, "0", scratch / f"few-{turn}"))
+    whole = seconds(lambda: sweep(engine, env, f"0-{SEEDS[-1]}", scratch / f"all-{turn}"))
+    return (whole - few) / (JOBS - len(ALGOS)), same_as_here(scratch / f"all-{turn}")
+
+
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield a row for each engine, beside Hydra's own, which takes turns with it."""
     for engine, server in ENGINES.items():
+        timing, same = Timing({"basic": [], engine: []}), True
         try:
             with server() as env, tempfile.TemporaryDirectory() as scratch:
-                least = seconds(engine, env, "0", Path(scratch, "few"))  # compiles, and is what a start costs
-                least = min(least, seconds(engine, env, "0", Path(scratch, "warm")))
-                whole = seconds(engine, env, f"0-{SEEDS[-1]}", Path(scratch, "all"))
-                same = "identical" if same_as_here(Path(scratch, "all")) else "DIFFERENT"
+                sweep(engine, env, "0", Path(scratch, "first"))  # compiles
+                for turn in range(given.rounds or ROUNDS):
+                    for one in timing:
+                        (place := Path(scratch, one)).mkdir(exist_ok=True)
+                        found, as_here = per_trial(one, env, place, turn)
+                        timing[one].append(found)
+                        same = same and as_here
         except servers.NoServerError as problem:
-            print(f"| {engine} | {problem} | | |")
+            yield f"{engine}: {problem}"
             continue
-        per_trial = 1000.0 * (whole - least) / (JOBS - len(ALGOS))
-        print(f"| {engine} | {whole:.1f} s | {per_trial:.0f} ms | {same} |", flush=True)
-
-
-if __name__ == "__main__":
-    main()
+        base = "" if engine == "basic" else "basic"
+        note = "the same metrics" if same else "**OTHER METRICS**"
+        yield timing.row(engine, base, unit="ms", name=f"{engine}, a trial of {JOBS}", note=note)

@@ -1,31 +1,31 @@
-"""What large maps cost, before the first ant sets out and in a trial: seconds, and bytes a cell at the peak.
+"""What large maps cost, before the first ant sets out and in a trial: time, and bytes a cell at the peak.
 
-    python tests/benchmarks/large.py [ROUNDS]
-
-Kernels are compiled already. Time is the median of the rounds, memory all that is allocated on the way
-(tracemalloc), what a trial works on included. A trial is timed where the goal is so near that ants arrive. Run it
-on an idle machine.
+Kernels are compiled already. Before the first ant, time stands beside that of sorting a number for each cell.
+Memory is all that is allocated on the way (tracemalloc), what a trial works on included. A trial is timed where
+the goal is so near that ants arrive.
 """
 
 from __future__ import annotations
 
-import sys
-import time
 import tracemalloc
-from collections.abc import Callable
-from statistics import median
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from rows import Given, Row
+from timing import interleave, seconds
 
 from acoexp.grid import Grid
 from acoexp.grid.field import FieldSettings, potential_field
 from acoexp.registry.resolve import resolve
 from acoexp.trial.solver import Solver
 
-SIDES = (512, 1024, 2048)
+ROUNDS, SIDES = 5, (512, 1024, 2048)
 ALGOS = ("aco", "pdg")
+SORTING = "sorting a number a cell"
+MOST_BYTES = {"grid and optimum": 100.0}
+"""Bytes per cell that are aimed at, by job."""
 
 WAREHOUSE, NEAR = (1674, 1006), 60
 """Rows and columns of the largest ROS map that was tried; columns and rows from start to goal."""
@@ -56,18 +56,14 @@ def jobs_on(side: int) -> dict[str, Callable[[], object]]:
     """Return what is measured, by name."""
     obstacles, constants = obstacles_of(side), FieldSettings()
     grid = Grid(obstacles)
+    numbers = np.random.default_rng(0).random(side * side)
     jobs: dict[str, Callable[[], object]] = {
+        SORTING: lambda: np.sort(numbers),
         "grid and optimum": lambda: Grid(obstacles),
         "potential field": lambda: potential_field(obstacles, grid.goal, constants),
     }
     solvers = {algo: resolve(algo, {}) for algo in ALGOS}
     return jobs | {f"solver, {algo}": lambda s=s: Solver(grid, s) for algo, s in solvers.items()}
-
-
-def seconds(job: Callable[[], object]) -> float:
-    began = time.perf_counter()
-    job()
-    return time.perf_counter() - began
 
 
 def peak(job: Callable[[], object]) -> int:
@@ -87,36 +83,30 @@ def near_goal() -> Grid:
     return Grid(obstacles, start=(row, col), goal=(row + NEAR, col + NEAR), moves="no_cut")
 
 
-def trial_table(rounds: int) -> list[tuple[str, float, float]]:
-    """Return a trial's name, its seconds, and these as a multiple of the first's."""
+def trial_rows(rounds: int) -> Iterator[Row]:
+    """Yield a row for each trial, beside the first."""
     grid = near_goal()
     solvers = {" ".join([a, *s.values()]): Solver(grid, resolve(a, s)) for a, s in TRIALS}
     trials = {name: solver.trials(SEEDS) for name, solver in solvers.items()}
-    spent: dict[str, list[float]] = {name: [] for name in trials}
-    for _ in range(rounds + 1):
-        for name, results in trials.items():
-            spent[name].append(seconds(lambda results=results: next(results)))
-    times = {name: median(several[1:]) for name, several in spent.items()}  # the first fills the memory
-    return [(name, time, time / times["aco"]) for name, time in times.items()]
+    for several in trials.values():
+        next(several)  # the first fills the memory
+    jobs = {name: lambda several=several: seconds(lambda: next(several)) for name, several in trials.items()}
+    timing = interleave(min(rounds, len(SEEDS) - 1), jobs)
+    for name in trials:
+        base = "" if name == "aco" else "aco"
+        yield timing.row(name, base, unit="ms", name="{}, a trial on {} x {}".format(name, *WAREHOUSE))
 
 
-def main(rounds: int) -> None:
-    """Print the table."""
-    jobs = {side: jobs_on(side) for side in SIDES}
-    most = {(side, name): peak(job) for side in SIDES for name, job in jobs[side].items()}  # compiles, too
-    spent: dict[tuple[int, str], list[float]] = {key: [] for key in most}
-    for _ in range(rounds):
-        for side, name in most:
-            spent[side, name].append(seconds(jobs[side][name]))
-    print(f"| median of {rounds} | {' | '.join(f'{side} x {side}' for side in SIDES)} |")
-    print(f"|---{'|---' * len(SIDES)}|")
-    for name in jobs[SIDES[0]]:
-        cells = (f"{median(spent[s, name]):.2f} s, {most[s, name] / s**2:.0f} bytes per cell" for s in SIDES)
-        print(f"| {name} | {' | '.join(cells)} |")
-    print("\n| a trial on {} x {} | median | x aco |\n|---|---|---|".format(*WAREHOUSE))
-    for name, time_of_it, ratio in trial_table(min(rounds, len(SEEDS) - 1)):
-        print(f"| {name} | {1e3 * time_of_it:.1f} ms | {ratio:.1f} |")
-
-
-if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield what is there before the first ant sets out, then trials."""
+    rounds = given.rounds or ROUNDS
+    for side in SIDES:
+        jobs = jobs_on(side)
+        most = {name: peak(job) for name, job in jobs.items()}  # compiles, too
+        timing = interleave(rounds, {name: lambda job=job: seconds(job) for name, job in jobs.items()})
+        for name in [*jobs][1:]:
+            there = f"{name}, {side} x {side}"
+            yield timing.row(name, SORTING, unit="s", name=there)
+            bytes_each, aim = most[name] / side**2, MOST_BYTES.get(name)
+            yield Row(name=f"{there}, memory", value=bytes_each, unit="bytes per cell", aim=aim)
+    yield from trial_rows(rounds)

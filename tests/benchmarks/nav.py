@@ -1,22 +1,19 @@
-"""How presets fare on real maps: gap to the exact optimum, share of trials that arrive, seconds.
+"""How presets fare on real maps: gap to the exact optimum, trials that arrive, time.
 
-    python tests/benchmarks/nav.py FOLDER                 # nav beside aco, pdg and acs
-    python tests/benchmarks/nav.py FOLDER --ablation      # nav with each of its parts left out or replaced, once
-
-FOLDER has maps of the MovingAI benchmarks, each with a scenario whose name begins like the map's: the way is that
+Maps are those of the MovingAI benchmarks, each with a scenario whose name begins like the map's: the way is that
 of its longest row. Or maps of ROS: the way is the longest that two searches, one from the end of the other, find.
-Prints a table in Markdown, a row a map: mean gap (and how many of the seeds arrived, where not all did), seconds.
 """
 
 from __future__ import annotations
 
-import argparse
-import time
-from collections.abc import Iterable
+from collections.abc import Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from rows import Given, Row
+from timing import interleave, seconds
 
 import acoexp
 from acoexp.grid.moves import allowed_moves
@@ -26,20 +23,8 @@ from acoexp.maps.pixels import read_pixels
 from acoexp.registry.resolve import resolve
 from acoexp.trial.solver import Solver
 
-PRESETS: dict[str, dict[str, Any]] = {"nav": {}, "aco": {}, "pdg": {}, "acs": {}}
-ABLATION: dict[str, dict[str, Any]] = {
-    "nav": {},
-    "no shortcut": {"post": "geometric"},
-    "paths as walked": {"post": "none"},
-    "straight line": {"heuristic": "progress"},
-    "exact distance": {"heuristic": "geodesic"},
-    "ants are lost": {"dead_end": "lost"},
-    "every ant lays": {"update": "ant_cycle"},
-    "with diffusion": {"diffusion": "gaussian"},
-    "no learning": {"alpha": 0.0},
-    "one cycle": {"iterations": 1},
-}
-"""Settings beside the preset's, by what is left out or put in its place."""
+PRESETS = ("nav", "aco", "pdg", "acs")
+SEEDS = range(5)
 
 
 def far_pair(file: Path) -> acoexp.Grid:
@@ -64,42 +49,37 @@ def far_pair_of_robots(file: Path) -> acoexp.Grid:
     return acoexp.load_map("ros", path=str(file), start=ends[-2], goal=ends[-1], unit="cell")
 
 
-def cell(solver: Solver, seeds: Iterable[int]) -> str:
-    """Return what a row of the table says of one configuration."""
-    gaps, began = [], time.perf_counter()
-    for seed in seeds:
-        result = solver.solve(seed)
-        if result.path is not None:
-            gaps.append(100.0 * (result.length / result.optimum - 1.0))
-    seconds, trials = time.perf_counter() - began, len(list(seeds))
-    if not gaps:
-        return f"0 of {trials} | {seconds / trials:.2f}"
-    arrived = "" if len(gaps) == trials else f" ({len(gaps)} of {trials})"
-    return f"{np.mean(gaps):.1f} %{arrived} | {seconds / trials:.2f}"
+def solve(solver: Solver, gaps: list[float]) -> None:
+    """Run all seeds; note the gaps of those that arrive, in percent."""
+    gaps[:] = [
+        100.0 * (result.length / result.optimum - 1.0)
+        for result in map(solver.solve, SEEDS)
+        if result.path is not None
+    ]
 
 
-def main() -> None:
-    """Run all and print the table."""
-    parser = argparse.ArgumentParser(description="Presets on real maps: gap to the optimum, arrivals, seconds.")
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--ablation", action="store_true")
-    parser.add_argument("--seeds", type=int, default=5)
-    arguments = parser.parse_args()
-    chosen = ABLATION if arguments.ablation else PRESETS
-    files = sorted([*arguments.folder.glob("*.map"), *arguments.folder.glob("*.yaml")])
-    if not files:
-        parser.error(f"folder: expected one with maps, *.map or *.yaml; got {arguments.folder}")
-    headings = "".join(f" {name} | s |" for name in chosen)
-    print(f"| map | optimum |{headings}\n|---|---|{'---|---|' * len(chosen)}")
-    for file in files:
+def of_maps(given: Given, configurations: Mapping[str, tuple[str, dict[str, Any]]]) -> Iterator[Row | str]:
+    """Yield two rows for each map and each (preset, settings): the mean gap, and time beside the first's."""
+    if given.maps is None:
+        yield "no --maps"
+        return
+    first = next(iter(configurations))
+    for file in sorted([*given.maps.glob("*.map"), *given.maps.glob("*.yaml")]):
         grid = far_pair(file) if file.suffix == ".map" else far_pair_of_robots(file)
-        rows, cols = grid.shape
-        texts = [
-            cell(Solver(grid, resolve("nav" if arguments.ablation else name, settings)), range(arguments.seeds))
-            for name, settings in chosen.items()
-        ]
-        print(f"| {file.stem}, {cols} x {rows} | {grid.optimum:.0f} | {' | '.join(texts)} |", flush=True)
+        gaps: dict[str, list[float]] = {name: [] for name in configurations}
+        jobs = {}
+        for name, (preset, settings) in configurations.items():
+            solver = Solver(grid, resolve(preset, settings))
+            jobs[name] = partial(seconds, partial(solve, solver, gaps[name]))
+        timing = interleave(given.rounds or 1, jobs)
+        for name, found in gaps.items():
+            arrived = f"{len(found)} of {len(SEEDS)} arrived, optimum {grid.optimum:.0f}"
+            if found:
+                yield Row(name=f"{file.stem}, {name}, gap", value=float(np.mean(found)), unit="%", note=arrived)
+            base, note = "" if name == first else first, "" if found else arrived
+            yield timing.row(name, base, unit="s", name=f"{file.stem}, {name}, {len(SEEDS)} trials", note=note)
 
 
-if __name__ == "__main__":
-    main()
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield nav beside aco, pdg and acs."""
+    yield from of_maps(given, {name: (name, {}) for name in PRESETS})

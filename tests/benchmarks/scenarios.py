@@ -1,15 +1,14 @@
-"""Whether the exact optimum equals the published one, in every row of every scenario in a folder.
+"""Whether the exact optimum equals the published one, in every row of every scenario of the MovingAI benchmarks.
 
-    python tests/benchmarks/scenarios.py FOLDER
-
-FOLDER has scenarios of the MovingAI benchmarks with their maps. Prints a line a scenario, and rows that differ by
-more than the digits that are printed; ends with status 1 if any does.
+A row differs if it does by more than the digits that are printed.
 """
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Iterator
 from pathlib import Path
+
+from rows import Given, Row
 
 from acoexp.grid.moves import allowed_moves
 from acoexp.grid.optimum import distances
@@ -37,16 +36,21 @@ def differing(scenario: Path) -> tuple[int, list[str]]:
     return len(rows), found
 
 
-def main() -> None:
-    """Look at every row."""
-    wrong = []
-    for scenario in sorted(Path(sys.argv[1]).glob("*.scen")):
-        rows, found = differing(scenario)
-        wrong += found
-        print(f"{scenario.name}: {rows - len(found)} of {rows} rows agree", flush=True)
-    print("\n".join(wrong[:20]))
-    sys.exit(bool(wrong))
-
-
-if __name__ == "__main__":
-    main()
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield for each scenario how many of its rows agree."""
+    if given.maps is None:
+        yield "no --maps"
+        return
+    for scenario in sorted(given.maps.glob("*.scen")):
+        count, wrong = differing(scenario)
+        agree = count - len(wrong)
+        yield Row(
+            name=scenario.name,
+            value=agree,
+            unit="rows agree",
+            ratio=agree / count,
+            base="all rows",
+            aim=1.0,
+            at_least=True,
+            note="; ".join(wrong[:20]),
+        )

@@ -1,22 +1,18 @@
-"""How fast the colony is: a table of ratios, each measured in one run, interleaved, as the median of many rounds.
-
-    python tests/benchmarks/speed.py [ROUNDS]
-
-Compares with a plain C++ program that walks the same paths (it needs g++). Run it on an idle machine.
-"""
+"""How fast the colony is, beside a plain C++ program that walks the same paths, and one part beside another."""
 
 from __future__ import annotations
 
+import shutil
 import subprocess
-import sys
 import tempfile
 import time
 import tracemalloc
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from statistics import median
 
 import numpy as np
+from rows import Given, Row
+from timing import Timing, interleave, seconds
 
 from acoexp.colony.problem import Problem
 from acoexp.grid import Grid
@@ -24,37 +20,15 @@ from acoexp.registry.load_map import as_grid
 from acoexp.registry.resolve import resolve
 from acoexp.trial.solver import Solver
 
-TRIALS, CYCLES, MAP = 100, 200, "fig13"
+ROUNDS, TRIALS, CYCLES, MAP = 15, 100, 200, "fig13"
 LARGE, LARGE_TRIALS = 512, 5
 
 
-class Timing(dict[str, list[float]]):
-    """Nanoseconds by name, one value a round."""
-
-    def ratio(self, name: str, base: str) -> float:
-        return median(a / b for a, b in zip(self[name], self[base], strict=True))
-
-
-def interleave(rounds: int, jobs: dict[str, Callable[[], float]]) -> Timing:
-    """Run all jobs in turn, over and over, so that a drifting clock meets each alike."""
-    timing = Timing({name: [] for name in jobs})
-    for _ in range(rounds):
-        for name, job in jobs.items():
-            timing[name].append(job())
-    return timing
-
-
 def per_step(solver: Solver, trials: int) -> float:
-    """Return ns per ant step, one thread, everything that a trial costs included."""
-    began = time.perf_counter_ns()
+    """Return seconds per ant step, one thread, everything that a trial costs included."""
+    began = time.perf_counter()
     results = solver.solve_many(range(trials), threads=1)
-    return (time.perf_counter_ns() - began) / sum(result.ant_steps for result in results)
-
-
-def per_batch(solver: Solver, trials: int, threads: int) -> float:
-    began = time.perf_counter_ns()
-    solver.solve_many(range(trials), threads=threads)
-    return float(time.perf_counter_ns() - began)
+    return (time.perf_counter() - began) / sum(result.ant_steps for result in results)
 
 
 def large_map() -> Grid:
@@ -81,7 +55,7 @@ def yardstick(solver: Solver, folder: Path) -> Callable[[], float]:
         nanoseconds, steps, checksum = map(int, subprocess.check_output(command, text=True).split())
         if (steps, checksum) != expected:
             raise SystemExit("the C++ program walked other paths: nothing to compare")
-        return nanoseconds / steps
+        return nanoseconds / steps / 1e9
 
     return job
 
@@ -119,43 +93,45 @@ def bytes_per_cell(grid: Grid, algo: str) -> float:
     return held / grid.obstacles.size
 
 
-def main(rounds: int) -> None:
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield what a step and a trial cost, on a small map and on a large one."""
     grid, large = as_grid(MAP), large_map()
     solvers = {algo: Solver(grid, resolve(algo, {"iterations": CYCLES})) for algo in ("aco", "pd", "pdg", "pf")}
     wide = {algo: Solver(large, resolve(algo, {"iterations": CYCLES})) for algo in ("aco", "pdg")}
-    trial_steps = {a: walked(solvers[a])[0] / TRIALS for a in ("aco", "pdg")}
+    steps = {algo: walked(solvers[algo])[0] / TRIALS for algo in ("aco", "pdg")}
+    jobs: dict[str, Callable[[], float]] = {algo: lambda s=s: per_step(s, TRIALS) for algo, s in solvers.items()}
+    jobs |= {algo_on(algo): lambda s=s: per_step(s, LARGE_TRIALS) for algo, s in wide.items()}
+    many = range(10 * TRIALS)
+    for n in (1, 2):
+        jobs[f"{n} threads"] = lambda n=n: seconds(lambda: solvers["aco"].solve_many(many, threads=n))
     with tempfile.TemporaryDirectory() as folder:
-        jobs: dict[str, Callable[[], float]] = {"c++": yardstick(solvers["aco"], Path(folder))}
-        jobs |= {algo: lambda s=s: per_step(s, TRIALS) for algo, s in solvers.items()}
-        jobs |= {f"large {algo}": lambda s=s: per_step(s, LARGE_TRIALS) for algo, s in wide.items()}
-        jobs |= {f"{n} threads": lambda n=n: per_batch(solvers["aco"], 10 * TRIALS, n) for n in (1, 2)}
-        timing = interleave(rounds, jobs)
-    pdg_trial = timing.ratio("pdg", "aco") * trial_steps["pdg"] / trial_steps["aco"]
-    rows = [
-        ("C++, the same colony", f"{median(timing['c++']):.1f} ns", "1", ""),
-        ("aco, per ant step", f"{median(timing['aco']):.1f} ns", f"{timing.ratio('aco', 'c++'):.2f} x C++", "1.1"),
-        ("pd (gaussian)", f"{median(timing['pd']):.1f} ns", f"{timing.ratio('pd', 'aco'):.2f} x aco", "1.6"),
-        ("pf (luo_wu)", f"{median(timing['pf']):.1f} ns", f"{timing.ratio('pf', 'aco'):.2f} x aco", "3"),
-        ("pdg, per ant step", f"{median(timing['pdg']):.1f} ns", f"{timing.ratio('pdg', 'aco'):.2f} x aco", ""),
-        (
-            "pdg, a trial",
-            f"{median(timing['pdg']) * trial_steps['pdg'] / 1e6:.2f} ms",
-            f"{pdg_trial:.2f} x aco",
-            "4",
-        ),
-        ("two threads", "", f"{timing.ratio('1 threads', '2 threads'):.2f} x one", "at least 1.9"),
-    ]
+        if shutil.which("g++") is None:
+            yield "no g++ for its yardstick, a program in C++"
+        else:
+            jobs = {"C++": yardstick(solvers["aco"], Path(folder)), **jobs}
+        timing = interleave(given.rounds or ROUNDS, jobs)
+    yield from of_steps(timing, steps)
     for algo in wide:
-        name = f"large {algo}"
-        cost = f"{median(timing[name]):.1f} ns", f"{timing.ratio(name, algo):.2f} x 20 x 20"
-        rows.append((f"{algo} on 512 x 512, per ant step", *cost, "2"))
-        rows.append(
-            (f"{algo} on 512 x 512, memory", f"{bytes_per_cell(large, algo):.0f} bytes per cell", "", "250")
-        )
-    print(f"| {MAP}, {CYCLES} cycles, 10 ants | median of {rounds} | ratio | aim |\n|---|---|---|---|")
-    for row in rows:
-        print(f"| {' | '.join(row)} |")
+        yield timing.row(algo_on(algo), algo, unit="ns", aim=2.0)
+        memory = bytes_per_cell(large, algo)
+        yield Row(name=f"{algo} on 512 x 512, memory", value=memory, unit="bytes per cell", aim=250.0)
 
 
-if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 15)
+def algo_on(algo: str) -> str:
+    """Return what an algorithm on the large map is called."""
+    return f"{algo} on 512 x 512, an ant step"
+
+
+def of_steps(timing: Timing, steps: dict[str, float]) -> Iterator[Row]:
+    """Yield the rows of the small map; ``steps`` are an algorithm's ant steps in a trial."""
+    base = "C++" if "C++" in timing else ""
+    if base:
+        yield timing.row("C++", unit="ns", name="an ant step of the same colony in C++")
+    yield timing.row("aco", base, unit="ns", name="aco, an ant step", aim=1.1 if base else None)
+    yield timing.row("pd", "aco", unit="ns", name="pd (gaussian), an ant step", aim=1.6)
+    yield timing.row("pf", "aco", unit="ns", name="pf (luo_wu), an ant step", aim=3.0)
+    yield timing.row("pdg", "aco", unit="ns", name="pdg, an ant step")
+    for algo, count in steps.items():
+        timing[f"{algo}, a trial"] = [per * count for per in timing[algo]]
+    yield timing.row("pdg, a trial", "aco, a trial", unit="ms", aim=4.0)
+    yield timing.row("1 threads", "2 threads", unit="ms", name="1000 trials in one thread", aim=1.9, at_least=True)

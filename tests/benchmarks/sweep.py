@@ -2,19 +2,19 @@
 
 All is processor time, so that a machine with other work to do may measure it. Of a sweep, it is what each trial
 after the first adds to the command.
-
-python tests/benchmarks/sweep.py [ROUNDS]
 """
 
 from __future__ import annotations
 
 import subprocess
 import sys
-from resource import RUSAGE_CHILDREN, getrusage
-from statistics import median
+from collections.abc import Iterator
 from tempfile import TemporaryDirectory
 
-TRIALS = 200
+from rows import Given, Row
+from timing import Timing, processor_seconds
+
+ROUNDS, TRIALS = 5, 200
 SWEEP = ["-m", "acoexp", "algo=pdg", "map=env2", "-m"]
 ALONE = f"""
 import time
@@ -41,10 +41,7 @@ print(time.process_time() - began)
 
 def command_seconds(seeds: str, folder: str) -> float:
     """Return the processor time of a sweep."""
-    began = getrusage(RUSAGE_CHILDREN)
-    subprocess.run([sys.executable, *SWEEP, f"seed={seeds}"], cwd=folder, check=True, capture_output=True)
-    ended = getrusage(RUSAGE_CHILDREN)
-    return ended.ru_utime + ended.ru_stime - began.ru_utime - began.ru_stime
+    return processor_seconds([sys.executable, *SWEEP, f"seed={seeds}"], folder)
 
 
 def store_seconds(folder: str) -> float:
@@ -58,25 +55,14 @@ def trial_seconds(folder: str) -> float:
     return (command_seconds(f"0-{TRIALS}", folder) - command_seconds(f"{TRIALS + 1}", folder)) / TRIALS
 
 
-def measured(rounds: int) -> list[tuple[float, float]]:
-    """Return what a trial takes in a sweep, and its keeping alone, for each round."""
-    pairs = []
-    for _ in range(rounds):
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield what keeping a trial takes, and a trial of a sweep beside it."""
+    store, sweep = "MLflow's three calls", f"a trial of -m seed=0-{TRIALS - 1}"
+    timing = Timing({store: [], sweep: []})
+    for _ in range(given.rounds or ROUNDS):
         with TemporaryDirectory() as folder:
             command_seconds(f"{TRIALS + 2}", folder)  # makes the store, and compiles
-            pairs.append((trial_seconds(folder), store_seconds(folder)))
-    return pairs
-
-
-def main(rounds: int) -> None:
-    """Print a table."""
-    pairs = measured(rounds)
-    sweep, store = (median(seconds) for seconds in zip(*pairs, strict=True))
-    ratio = median(a / b for a, b in pairs)
-    print("| | processor time a trial | ratio | aim |\n|---|---|---|---|")
-    print(f"| create_run, log_batch, set_terminated | {1000 * store:.1f} ms | 1 | |")
-    print(f"| a trial of `-m seed=0-{TRIALS - 1}` | {1000 * sweep:.1f} ms | {ratio:.2f} | 1.5 |")
-
-
-if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
+            timing[sweep].append(trial_seconds(folder))
+            timing[store].append(store_seconds(folder))
+    yield timing.row(store, unit="ms")
+    yield timing.row(sweep, store, unit="ms", aim=1.5)

@@ -1,8 +1,6 @@
 """What a tracked trial costs beside that of another worktree, by turns, and what the quality of its path is of it.
 
 All is processor time, of whatever a command starts, so that a machine with other work to do may measure it.
-
-python tests/benchmarks/tracked.py WORKTREE
 """
 
 from __future__ import annotations
@@ -11,10 +9,12 @@ import os
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from resource import RUSAGE_CHILDREN, getrusage
-from statistics import median
 from tempfile import TemporaryDirectory
+
+from rows import Given, Row
+from timing import Timing, interleave, processor_seconds
 
 ROOT = Path(__file__).parents[2]
 ROUNDS = 3
@@ -48,14 +48,11 @@ print((time.process_time() - began) / {SEEDS})
 """
 
 
-def seconds(command: list[str], code: Path) -> float:
+def command_seconds(arguments: list[str], code: Path) -> float:
     """Return the processor time of a command in a folder of its own, by the code of a worktree."""
     with TemporaryDirectory() as folder:
-        began = getrusage(RUSAGE_CHILDREN)
-        where = {**os.environ, "PYTHONPATH": str(code)}
-        subprocess.run(command, cwd=folder, env=where, check=True, capture_output=True)
-        ended = getrusage(RUSAGE_CHILDREN)
-        return ended.ru_utime + ended.ru_stime - began.ru_utime - began.ru_stime
+        command = [sys.executable, "-m", "acoexp", *arguments]
+        return processor_seconds(command, folder, {**os.environ, "PYTHONPATH": str(code)})
 
 
 def kept(code: Path) -> float:
@@ -85,24 +82,25 @@ def quality_seconds() -> tuple[float, float]:
     return once, (time.process_time() - began) / len(results)
 
 
-def main() -> None:
-    """Print a table."""
-    other = Path(sys.argv[1]).resolve()
+def by_turns(rounds: int, job: Callable[[Path], float], name: str, other: Path) -> Timing:
+    """Return what a job takes here and by the code of the other worktree."""
+    return interleave(rounds, {"the other version": lambda: job(other), name: lambda: job(ROOT)})
+
+
+def rows(given: Given) -> Iterator[Row | str]:
+    """Yield a row for each command, for one trial more, and for its path's quality."""
+    if given.worktree is None:
+        yield "no --worktree to compare with"
+        return
+    other, rounds = given.worktree.resolve(), given.rounds or ROUNDS
     for code in (other, ROOT):  # so that all is compiled
-        seconds([sys.executable, "-m", "acoexp", *COMMANDS["one trial"]], code)
-    print("| | there | here | ratio of medians |\n|---|---|---|---|")
-    rows = {name: [sys.executable, "-m", "acoexp", *arguments] for name, arguments in COMMANDS.items()}
-    for name, command in rows.items():
-        pairs = [(seconds(command, other), seconds(command, ROOT)) for _ in range(ROUNDS)]
-        there, here = (median(times) for times in zip(*pairs, strict=True))
-        print(f"| {name} | {there:.2f} s | {here:.2f} s | {here / there:.2f} |", flush=True)
-    pairs = [(kept(other), kept(ROOT)) for _ in range(ROUNDS)]
-    there, here = (median(times) for times in zip(*pairs, strict=True))
-    print(f"| one trial more, kept | {1000 * there:.1f} ms | {1000 * here:.1f} ms | {here / there:.2f} |")
+        command_seconds(COMMANDS["one trial"], code)
+    for name, arguments in COMMANDS.items():
+        timing = by_turns(rounds, lambda code, a=arguments: command_seconds(a, code), name, other)
+        yield timing.row(name, "the other version", unit="s")
+    timing = by_turns(rounds, kept, "one trial more, kept", other)
+    yield (more := timing.row("one trial more, kept", "the other version", unit="ms"))
     once, each = quality_seconds()
-    share = each / here
-    print(f"quality: {1000 * once:.2f} ms for the map, {1000 * each:.3f} ms a path, {share:.1%} of a kept trial")
-
-
-if __name__ == "__main__":
-    main()
+    yield Row(name="quality, once for a map", value=1e3 * once, unit="ms")
+    share = 1e3 * each / more.value
+    yield Row(name="quality of a path", value=1e3 * each, unit="ms", ratio=share, base="one trial more, kept")

@@ -89,7 +89,7 @@ def _experiments(port: int) -> bytes:
 @pytest.mark.slow_without_jit
 @pytest.mark.skipif(shutil.which("g++") is None, reason="its yardstick is a C++ program")
 def test_the_speed_benchmark_runs() -> None:
-    script = ROOT / "tests" / "benchmarks" / "speed.py"
-    done = subprocess.run([sys.executable, script, "1"], capture_output=True, text=True, timeout=300)
+    command = [sys.executable, ROOT / "tests" / "benchmarks", "speed", "--rounds", "1"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     assert "x C++" in done.stdout

@@ -17,7 +17,7 @@ PAGES = [ROOT / "README.md", *sorted({*(ROOT / "docs").glob("*.md")} - {ROOT / "
 """Pages whose blocks run; docs/engines.md needs clusters and databases, and has a test of its own."""
 
 # what needs a checkout, a server, or a whole test run has a test of its own
-ELSEWHERE = ("pytest", "mlflow ui", "tests/benchmarks/")
+ELSEWHERE = ("pytest", "mlflow ui", "tests/benchmarks")
 
 
 def commands(page: Path) -> list[tuple[str, str]]:
