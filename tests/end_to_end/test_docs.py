@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 import socket
@@ -14,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from documented import BLOCK, PAGES, ROOT, run_blocks
+from running import environment, run_acoexp
 
 from acoexp.colony import pheromone
 from acoexp.colony.scalars import ColonySettings
@@ -58,7 +58,7 @@ def test_the_contract_names_every_way_to_change_pheromone() -> None:
 
 @pytest.mark.slow_without_jit
 def test_the_mlflow_ui_of_the_readme_shows_the_experiment(as_a_reader: Path) -> None:
-    subprocess.run([sys.executable, "-m", "acoexp", "iterations=5"], cwd=as_a_reader, check=True, timeout=120)
+    assert run_acoexp("iterations=5", cwd=as_a_reader).returncode == 0
     shown = next(
         text for _, text in BLOCK.findall((ROOT / "README.md").read_text()) if text.startswith("mlflow ui")
     )
@@ -66,8 +66,10 @@ def test_the_mlflow_ui_of_the_readme_shows_the_experiment(as_a_reader: Path) -> 
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     command = f"exec {shown.strip()} --port {port} --workers 1"
-    environment = {**os.environ, "MLFLOW_SERVER_ENABLE_JOB_EXECUTION": "false"}  # no helpers that outlive it
-    server = subprocess.Popen(["bash", "-c", command], cwd=as_a_reader, env=environment, start_new_session=True)
+    without_helpers = environment({"MLFLOW_SERVER_ENABLE_JOB_EXECUTION": "false"})  # which would outlive it
+    server = subprocess.Popen(
+        ["bash", "-c", command], cwd=as_a_reader, env=without_helpers, start_new_session=True
+    )
     try:
         assert b"acoexp" in _experiments(port)
     finally:
