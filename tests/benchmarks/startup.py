@@ -20,7 +20,7 @@ COMMANDS = {
     "one trial": ["-m", "acoexp"],
 }
 LIMITS = [("--help", "import hydra, numba", 3.0), ("--cfg job", "import hydra, numba", 3.0)]
-LIMITS += [("one trial", "skeleton of a trial", 1.35)]
+LIMITS += [("one trial", "skeleton of a trial", 1.05)]
 
 
 def rows(given: Given) -> Iterator[Row | str]:
