@@ -198,7 +198,8 @@ def test_a_trial_alone_is_seen_before_what_draws_and_keeps_it_is_read(module: st
     assert ended.returncode == 130
     assert ended.stderr.splitlines()[-1] == "acoexp: interrupted; this trial may not be kept"
     *_, row, files, follows = ended.stdout.splitlines()
-    assert (row.split()[:2], files[:21]) == (["pdg", "fig13"], "files: outputs/runs/")
+    assert row.split()[:2] == ["pdg", "fig13"]
+    assert files.startswith("files: outputs/runs/")
     assert follows == "pictures follow, then where it is kept"
     assert len(trials(tmp_path)) == 1
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,7 +9,7 @@ from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
 import pytest
-from forked import IMPORTED
+from forked import forking
 from mlflow.entities import Run
 
 from acoexp import Grid
@@ -129,8 +128,7 @@ run = MlflowTracker({store.store.uri!r}).begin(what, parse_seeds("0-9"))
 run.keep(Trials.of(Solver(what.grid, what.settings).solve_many(range(6))))
 os.kill(os.getpid(), signal.SIGKILL)
 """
-    context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(IMPORTED)
+    context = forking()
     killed = context.Process(target=exec, args=(code,))
     killed.start()
     killed.join(timeout=120.0)

@@ -38,9 +38,7 @@ def run_forked(
     """
     with TemporaryDirectory() as folder:
         out, err = Path(folder, "out"), Path(folder, "err")
-        with STARTING:
-            context = _context()
-        process = context.Process(target=_main, args=(list(args), str(cwd), dict(env), str(out), str(err)))
+        process = forking().Process(target=_main, args=(list(args), str(cwd), dict(env), str(out), str(err)))
         process.start()
         process.join(timeout)
         if process.is_alive():
@@ -52,9 +50,15 @@ def run_forked(
         return subprocess.CompletedProcess(list(args), code, out.read_text("utf-8"), err.read_text("utf-8"))
 
 
+def forking() -> ForkServerContext:
+    """Return what forks processes that have imported everything."""
+    with STARTING:
+        return _started()
+
+
 @cache
-def _context() -> ForkServerContext:
-    """Start the process that commands are forked from, where it finds what is beside this file."""
+def _started() -> ForkServerContext:
+    """Start the process that is forked, where it finds what is beside this file."""
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(["preloaded"])
     path = [str(Path(__file__).parent), *filter(None, [os.environ.get("PYTHONPATH")])]

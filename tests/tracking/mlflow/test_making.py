@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import re
 import shutil
@@ -14,7 +13,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from forked import IMPORTED
+from forked import forking
 from mlflow import MlflowClient
 
 from acoexp.errors import TrackingError
@@ -48,8 +47,7 @@ def database(fresh: str) -> Path:
 
 @pytest.mark.skipif(os.name != "posix", reason="kills")
 def test_whoever_is_killed_while_it_makes_a_store_leaves_none_and_the_next_makes_it(tmp_path: Path) -> None:
-    context, file = multiprocessing.get_context("forkserver"), tmp_path / "new" / "mlflow.db"
-    context.set_forkserver_preload(IMPORTED)
+    context, file = forking(), tmp_path / "new" / "mlflow.db"
     for after in (0.0, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8):  # seconds since its first file; the whole takes one
         maker = context.Process(target=Store(f"sqlite:///{file}").prepare)
         maker.start()

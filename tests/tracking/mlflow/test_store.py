@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import re
 import sqlite3
@@ -11,7 +10,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from forked import IMPORTED
+from forked import forking
 from mlflow import MlflowClient
 from mlflow.exceptions import MlflowException
 from mlflow.protos.databricks_pb2 import RESOURCE_DOES_NOT_EXIST, TEMPORARILY_UNAVAILABLE
@@ -158,8 +157,7 @@ def test_a_folder_is_no_store_and_that_is_told_at_once(tmp_path: Path) -> None:
 
 
 def test_eight_processes_may_create_a_store_at_once(tmp_path: Path) -> None:
-    context, uri = multiprocessing.get_context("forkserver"), f"sqlite:///{tmp_path}/new/x.db"
-    context.set_forkserver_preload(IMPORTED)
+    context, uri = forking(), f"sqlite:///{tmp_path}/new/x.db"
     processes = [context.Process(target=Store(uri).prepare) for _ in range(8)]
     for process in processes:
         process.start()
